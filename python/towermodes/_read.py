@@ -38,17 +38,17 @@ def read(
         path: The file.
         part: The part of a windIO turbine that is read.
         no_rna: Omit the rotor-nacelle assembly.
-        no_gravity: Omit gravity (no geometric stiffness); not for a floating tower, whose
-            buoyancy is gravity.
+        no_gravity: Omit gravity (no geometric stiffness); not for a floating tower, because
+            buoyancy exists only with gravity.
         clamped: Clamp a tower of OpenFAST at its base, without the structure below it.
         equilibrium: Give the mooring lines of a floating platform their stiffness at the
             equilibrium of weights, buoyancy and lines, instead of the reference position.
         rotor: Whether the rotor of an ElastoDyn model, or of a tower file with `[drivetrain]`, is
             locked or free to rotate.
-        member_ends: Where members of the floating platform of a windIO turbine end that begin at
-            the axis of another member: at its surface (cut), at its axis (whole), or at the
-            surface unless weight, buoyancy and lines are nearer to balance with whole members
-            (balance). The file does not say it.
+        member_ends: Ends of the members of the floating platform of a windIO turbine that begin at
+            the axis of another member: at its surface (cut), at its axis (whole), or whole
+            only if the sum of weight, buoyancy and mooring force is then closer to zero
+            (balance). The file does not contain this choice.
         bmodes_quirks: Interpret a BModes deck exactly as BModes 3.00 does, with its known errors.
         tower_height_m: Height of the tower top above ground or sea level, m, of an ElastoDyn tower
             file that is read without its main file.

@@ -1,20 +1,21 @@
 //! Assignment of the modes at one speed to the modes at another speed, by their modal assurance
 //! criteria (MAC).
 
-/// A mode with at least this MAC is the same mode.
+/// A mode with at least this MAC counts as the same mode.
 const SAME: f64 = 0.5;
 
-/// A mode that veers among three others has a MAC of one third with each. Below this limit it is
-/// another mode …
+/// A mode that veers with two others has a MAC of one third with each of three modes. With a MAC
+/// below this limit it is another mode.
 const BETWEEN: f64 = 0.25;
 
-/// … and so it is if its MACs with all modes at this speed sum to less than this.
+/// It is also another mode if the sum of its MACs with all modes at this speed is smaller than
+/// this.
 const MADE_UP: f64 = 0.75;
 
 /// The assignment of the modes at one speed to followed modes.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Assignment {
-    /// For each followed mode the index of its mode at this speed, if one was left.
+    /// For each followed mode the index of its mode at this speed, if one is assigned.
     chosen: Vec<Option<usize>>,
     /// The MAC of each followed mode (row) with each mode at this speed (column).
     mac: Vec<Vec<f64>>,
@@ -22,7 +23,7 @@ pub(crate) struct Assignment {
 
 impl Assignment {
     /// Greedy assignment by descending MAC: the pair with the largest MAC first, then the largest
-    /// among the modes that remain, and so on. `is_followed` is whether a row takes part.
+    /// among the remaining modes, and so on. `is_followed` tells whether a row takes part.
     pub(crate) fn greedy(mac: Vec<Vec<f64>>, is_followed: impl Fn(usize) -> bool) -> Self {
         let columns = mac.iter().map(Vec::len).max().unwrap_or(0);
         let followed = (0..mac.len()).filter(|row| is_followed(*row));
@@ -43,14 +44,14 @@ impl Assignment {
         Self { chosen, mac }
     }
 
-    /// The first mode continued by the first, the second by the second, and so on.
+    /// Assigns the first mode to the first, the second to the second, and so on.
     pub(crate) fn in_order(mac: Vec<Vec<f64>>) -> Self {
         let chosen = (0..mac.len()).map(Some).collect();
         Self { chosen, mac }
     }
 
-    /// The index of the mode at this speed that continues a followed mode, or the MAC of the mode
-    /// assigned to it if that is too small.
+    /// The index of the mode at this speed that continues a followed mode, or the MAC of the
+    /// assigned mode if it is too small.
     pub(crate) fn found(&self, row: usize) -> Result<usize, f64> {
         let Some(column) = self.chosen[row] else {
             return Err(0.0);
@@ -79,7 +80,7 @@ impl Assignment {
         self.mac[row][column] - self.mac[row][other]
     }
 
-    /// Exchanges the modes of two followed modes.
+    /// Exchanges the modes assigned to two followed modes.
     pub(crate) fn exchange(&mut self, a: usize, b: usize) {
         self.chosen.swap(a, b);
     }

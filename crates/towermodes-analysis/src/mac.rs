@@ -1,7 +1,7 @@
 //! The modal assurance criterion of two mode shapes.
 
 /// The modal assurance criterion MAC = (Σ m a b)²/(Σ m a² Σ m b²) of two shapes sampled at the same
-/// places: 1 for shapes that differ by a factor only, 0 for orthogonal shapes (Allemang & Brown
+/// places: 1 for shapes that differ only by a factor, 0 for orthogonal shapes (Allemang & Brown
 /// 1982). The masses m at the samples are 1 unless given.
 ///
 /// None if the numbers of samples differ, a shape is zero everywhere, a mass is negative, or a

@@ -1,4 +1,4 @@
-//! The verdict on a difference.
+//! PASS, WARN or FAIL for a difference and its limit.
 
 /// The verdict on a difference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -6,18 +6,18 @@
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Verdict {
-    /// No more than half the limit.
+    /// At most half of the limit.
     Pass,
-    /// Above half the limit, but within it.
+    /// Above half of the limit, but within it.
     Warn,
     /// Above the limit.
     Fail,
-    /// Not known, because the data do not suffice.
+    /// Not known, because the data are not sufficient.
     Undecided,
 }
 
 impl Verdict {
-    /// The verdict on a relative difference and its limit. A difference that is not a number fails.
+    /// The verdict on a relative difference and its limit. A difference that is NaN fails.
     ///
     /// # Example
     /// ```

@@ -6,8 +6,9 @@ use towermodes_files::TowerInput;
 use crate::failure::Failure;
 use crate::messages::{note, warn};
 
-/// Prints the notes and warnings of a tower before the error of its computation. A soil that is a
-/// million times too soft is a warning; the error says only that the tower buckles.
+/// Prints the notes and warnings of a tower before the error of its computation. A soil stiffness
+/// that is a million times too small gives a warning, but the error only states that the tower
+/// buckles.
 pub(crate) fn explained<T>(
     result: Result<T, impl Into<Failure>>,
     (tower, input): (&Tower, &TowerInput),

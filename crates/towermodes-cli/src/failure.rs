@@ -1,4 +1,4 @@
-//! Errors of the program: what is printed, what helps, and the exit code.
+//! Errors of the program: message, suggestion, and exit code.
 
 use std::borrow::Cow;
 use std::fmt::{self, Display};
@@ -21,12 +21,12 @@ use towermodes_sweep::{Remedy, SliceError, SweepError, TableError};
 use crate::args::EndingError;
 use crate::messages::{fail, mistaken};
 
-/// The option that sets numbers by name.
+/// The option that sets input values by name.
 pub(crate) const SETTING: &str = "--set";
 
-/// The exit code of wrong usage or wrong input …
+/// The exit code for wrong usage or wrong input.
 const USAGE: u8 = 2;
-/// … and that of a computation, a check or an output that failed.
+/// The exit code for a computation, a check or an output that failed.
 const FAILED: u8 = 1;
 
 /// An error that ends the program without a result.
@@ -42,7 +42,7 @@ pub(crate) struct Failure {
 /// The error.
 #[derive(Debug)]
 enum Cause {
-    /// A file, often at some of its lines.
+    /// Errors in a file, often with lines.
     File(ReadError),
     Said(String),
 }
@@ -77,7 +77,7 @@ impl Failure {
         Self { hint, ..self }
     }
 
-    /// The failure with a hint that is made for the case.
+    /// The failure with a hint that depends on the case.
     pub(crate) fn hint_of(self, hint: String) -> Self {
         let hint = Some(Cow::Owned(hint));
         Self { hint, ..self }
@@ -88,12 +88,12 @@ impl Failure {
         Self { code, ..self }
     }
 
-    /// The computation cannot do what a line of a file asks for.
+    /// The failure of a computation that cannot fulfil a line of a file.
     pub(crate) fn unreached(error: ReadError) -> Self {
         Self::from(error).code(FAILED)
     }
 
-    /// The name of the file with the mistakes.
+    /// The name of the file that contains the mistakes.
     pub(crate) fn file(&self) -> Option<&Path> {
         match &self.cause {
             Cause::File(ReadError::Mistakes { source_file, .. }) => {
@@ -155,7 +155,7 @@ impl From<ReadError> for Failure {
     }
 }
 
-/// Errors that are wrong usage or wrong input and need no hint.
+/// Defines errors that are wrong usage or wrong input and need no hint.
 macro_rules! wrong_usage {
     ($($error:ty),*) => {
         $(impl From<$error> for Failure {
@@ -212,7 +212,7 @@ impl From<SensitivityError> for Failure {
     }
 }
 
-/// Where the names of input values are listed.
+/// The hint where the names of input values are listed.
 const NAMES: &str = "`towermodes parameters FILE` lists the names of all input values";
 
 impl From<ParameterError> for Failure {
@@ -348,7 +348,7 @@ impl From<TableError> for Failure {
 }
 
 impl Failure {
-    /// The failure with the option of `sweep` that is a remedy.
+    /// The failure with the option of `sweep` that helps.
     fn with_remedy(self, remedy: Option<Remedy>) -> Self {
         match remedy {
             Some(Remedy::IgnoreColumn { name }) => self.hint_of(format!(
@@ -360,7 +360,7 @@ impl Failure {
     }
 }
 
-/// Suggestions if `sweep` and `design` cannot solve a tower: they have fewer options.
+/// Suggestions if `sweep` or `design` cannot solve a tower; these commands have fewer options.
 fn hint_for_sweep(error: &SolveError) -> Option<&'static str> {
     match error {
         SolveError::TooManyModes { .. } => Some("increase --segments or reduce --modes"),

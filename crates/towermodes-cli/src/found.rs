@@ -24,7 +24,7 @@ pub(crate) fn check_output(
     found.output().map_or(Ok(()), check_place)
 }
 
-/// The text of the file that says what is to be found.
+/// The text of the design or calibration file.
 pub(crate) fn study_source(study: &Path, tower: &InputArguments) -> Result<Source, Failure> {
     let stdin = Path::new("-");
     let source = match study == stdin {
@@ -39,7 +39,7 @@ pub(crate) fn study_source(study: &Path, tower: &InputArguments) -> Result<Sourc
     source.map_err(ReadError::from).map_err(Failure::from)
 }
 
-/// Writes a tower with changed numbers, in the text of its old file where that is possible.
+/// Writes a tower with changed input values, in the text of its original file if possible.
 pub(crate) fn write_tower(
     input: &TowerInput,
     changed: &TowerDescription,

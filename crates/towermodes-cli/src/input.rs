@@ -25,7 +25,7 @@ pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Fa
     Ok(input)
 }
 
-/// Sets the numbers that the command line gives by name.
+/// Sets the input values that the command line gives by name.
 pub(crate) fn set_numbers(
     tower: &mut TowerInput,
     reading: &ReadingArguments,
@@ -41,7 +41,7 @@ pub(crate) fn tower_input(arguments: &InputArguments) -> Result<TowerInput, Fail
     Ok(input)
 }
 
-/// As above, for any path, without a check of the options.
+/// Reads a tower from any path, without a check of the options.
 pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerInput, Failure> {
     match input(file, reading)? {
         Input::Tower(tower) => Ok(*tower),

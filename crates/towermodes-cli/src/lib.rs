@@ -50,7 +50,7 @@ pub fn run(command_line: impl IntoIterator<Item = impl Into<OsString>>) -> u8 {
 }
 
 /// Prints the help or the error of the command line. If a file is given instead of a command, the
-/// message shows the `solve` command for it. Returns the exit code.
+/// message suggests `solve` with this file. Returns the exit code.
 fn report(error: &clap::Error, command_line: &[OsString]) -> u8 {
     let _ = error.print();
     let file = command_line.get(1);

@@ -9,7 +9,7 @@ use towermodes_report::wording::printable;
 
 use crate::terminal::NOT_SHOWN;
 
-/// Prints an error and what helps.
+/// Prints an error and its hint.
 pub(crate) fn fail(text: &str, hint: Option<&str>) {
     say(&message(Level::ERROR, text, hint));
 }
@@ -61,12 +61,12 @@ pub(crate) fn warning_text(warning: &Warning, input: &TowerInput) -> Option<Stri
     })
 }
 
-/// A message of a program that goes on.
+/// Prints a message; the program continues.
 pub(crate) fn hear(text: &str) {
     say(&message(Level::INFO, text, None));
 }
 
-/// If standard error is closed, the message is lost.
+/// Writes to standard error. If it is closed, the message is lost.
 fn say(text: &str) {
     let _ = anstream::stderr().lock().write_all(text.as_bytes());
 }

@@ -1,5 +1,6 @@
 //! Progress of long computations on the last line of the terminal (standard error), shown after
-//! half a second and removed at the end. Where standard error is a file, a line every half minute.
+//! half a second and removed at the end. If standard error is a file, a line is written every half
+//! minute.
 
 use std::fmt::Write;
 use std::io::IsTerminal;
@@ -27,15 +28,15 @@ const KNOWN: f64 = 0.03;
 /// Time between two lines of a log.
 const BETWEEN_LINES: Duration = Duration::from_secs(30);
 
-/// When a long computation writes a line into a log, which shows that it goes on.
+/// The times at which a long computation writes a line to a log, which shows that it continues.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Log {
-    /// Number of lines that are written.
+    /// Number of lines written.
     lines: u32,
 }
 
 impl Log {
-    /// Whether the next line is due after a time since the beginning.
+    /// Whether the next line is due at this time since the beginning.
     pub(crate) fn is_due(&mut self, elapsed: Duration) -> bool {
         let is_due = elapsed >= BETWEEN_LINES * (self.lines + 1);
         if is_due {
@@ -45,8 +46,9 @@ impl Log {
     }
 }
 
-/// A solver for a search that solves many towers: a line says how many. On a terminal it is the
-/// last one and is removed at the end; in a log there is a line from time to time.
+/// A solver for a search that solves many towers, with a line that states their number. On a
+/// terminal it is the last line and is removed at the end; in a log a line is written from time to
+/// time.
 pub(crate) fn searching(options: Options) -> (Solver, impl Drop) {
     let is_seen = std::io::stderr().is_terminal();
     let target = match is_seen {
@@ -120,13 +122,13 @@ impl Progress {
         }
     }
 
-    /// One more computation is finished, and the next one begins.
+    /// Marks the current computation as finished, and begins the next one.
     pub(crate) fn done(&self) {
         locked(&self.now).next();
     }
 
-    /// A solver for the current computation that reports its progress. The line stays until the
-    /// solver is dropped too.
+    /// A solver for the current computation that reports its progress. The progress line remains
+    /// until the solver is dropped.
     pub(crate) fn solver(&self, options: Options) -> Solver {
         let (now, line, begun) = (Arc::clone(&self.now), self.line.clone(), self.begun);
         Solver::new(options).watched(move |progress| {
@@ -179,7 +181,8 @@ impl Now {
         self.stage = None;
     }
 
-    /// A computation may solve more than once; the progress never decreases.
+    /// Updates the progress. A computation may consist of several solves; the progress never
+    /// decreases.
     fn hear(&mut self, progress: towermodes::Progress) {
         self.share = self.share.max(progress.fraction);
         self.stage = Some(progress.stage);

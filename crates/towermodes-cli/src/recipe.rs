@@ -1,4 +1,4 @@
-//! Common parts of the commands that read a tower, compute something and show it: the checks of
+//! Common parts of the commands that read a tower, compute a result and print it: the checks of
 //! options and files, the formats, the messages, the output and the exit code.
 
 use towermodes::{Tower, Warning};
@@ -11,12 +11,12 @@ use crate::input::tower_input;
 use crate::messages::{note, warn};
 use crate::output::{Finished, check_not_input, check_not_inputs};
 
-/// A command that reads a tower, computes something and shows it.
+/// A command that reads a tower, computes a result and prints it.
 pub(crate) trait Analysis {
-    /// The request of the options.
+    /// The checked request of the options.
     type Plan;
 
-    /// The file that is read, and the result.
+    /// The input file, and the destination of the result.
     fn files(&self) -> (&InputArguments, &Destination);
 
     /// Checks the options before a file is read.
@@ -32,7 +32,8 @@ pub(crate) trait Analysis {
     /// Checks the options against the input.
     fn plan(&self, input: &mut TowerInput) -> Result<Self::Plan, Failure>;
 
-    /// The result. If it fails, the notes and warnings on the tower are printed before the error.
+    /// Computes the result. If this fails, the notes and warnings on the tower are printed before
+    /// the error.
     fn answer(
         &self,
         tower: &Tower,
@@ -42,7 +43,7 @@ pub(crate) trait Analysis {
     ) -> Result<Answer, Failure>;
 }
 
-/// A result in its format, with what is said about it.
+/// A result in its format, with its notes, warnings and verdict.
 pub(crate) struct Answer {
     result: Finished,
     notes: Vec<Note>,
@@ -71,7 +72,7 @@ impl Answer {
         })
     }
 
-    /// With notes beside those of the reader.
+    /// Adds notes to those of the reader.
     pub(crate) fn notes(self, notes: Vec<Note>) -> Self {
         Self { notes, ..self }
     }
@@ -81,7 +82,7 @@ impl Answer {
         Self { warnings, ..self }
     }
 
-    /// With a failure that follows the result.
+    /// Adds a failure that is reported after the result.
     pub(crate) fn verdict(self, verdict: Result<(), Failure>) -> Self {
         Self { verdict, ..self }
     }

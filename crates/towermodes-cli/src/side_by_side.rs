@@ -1,4 +1,4 @@
-//! Every method on one tower, for the report and the picture of errors.
+//! All methods on one tower, for the report and the picture of errors.
 
 use towermodes::{Method, Options, SolveError, Tower};
 use towermodes_analysis::study::{

@@ -1,7 +1,7 @@
-//! Towers designed to frequencies, and calibrated to measured ones.
+//! Design of towers for given frequencies, and calibration with measured frequencies.
 //!
-//! [`design`] finds a light tower whose frequencies are in given bands; [`calibration`] finds
-//! the numbers of a tower that explain measured frequencies. Both use the exact derivatives of
+//! [`design`] finds a light tower whose frequencies are in given bands; [`calibration`] fits input
+//! values of a tower to measured frequencies. Both use the exact derivatives of
 //! [`towermodes::Solver::sensitivities`].
 
 pub mod calibration;

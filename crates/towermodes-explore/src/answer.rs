@@ -1,4 +1,5 @@
-//! A solved tower as a page shows it: numbers with all digits, and as the terminal prints them.
+//! A solved tower for a page: numbers with all digits, and as text with the digits that the
+//! terminal prints.
 
 use serde::Serialize;
 use towermodes::number::{four_digits, with_error};
@@ -18,7 +19,7 @@ use super::state::State;
 /// A solved tower.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Answer {
-    /// The values of all numbers, in the order of the sheet.
+    /// The input values, in the order of the sheet.
     pub values: Vec<f64>,
     /// Masses, height, buckling load factor.
     pub facts: Vec<Fact>,
@@ -44,18 +45,18 @@ pub struct Answer {
 pub struct Timed {
     /// The solution alone.
     pub solve_ms: f64,
-    /// All of it.
+    /// The whole answer.
     pub answer_ms: f64,
 }
 
-/// A number of the whole tower.
+/// A quantity of the whole tower.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Fact {
     /// Its key: `tower_mass_kg`.
     pub key: &'static str,
     /// Its name: "mass of the tower".
     pub name: &'static str,
-    /// Its value; none where the tower has none.
+    /// Its value; none if the tower does not have this quantity.
     pub value: Option<f64>,
     /// Its unit.
     pub unit: &'static str,
@@ -70,7 +71,7 @@ pub struct AnsweredMode {
     pub number: usize,
     /// Its name: "1st fore-aft bending".
     pub label: String,
-    /// The name, with its share and other motions where it has less than 90 % of the energy.
+    /// The name, with its share and the other motions if it has less than 90 % of the energy.
     pub shape: String,
     /// Its family: `fore-aft`.
     pub family: &'static str,
@@ -82,17 +83,17 @@ pub struct AnsweredMode {
     pub error_hz: f64,
     /// The frequency with the digits that its error leaves.
     pub frequency: String,
-    /// The error with as many decimals.
+    /// The error with as many decimals as the frequency.
     pub error: String,
-    /// Period, s; none of a motion that nothing resists.
+    /// Period, s; none for a motion without stiffness.
     pub period_s: Option<f64>,
-    /// Effective masses in x, y, z and about x, y, z as fractions of the whole; none where nothing
-    /// moves.
+    /// Effective masses in x, y, z and about x, y, z as fractions of the total masses and moments
+    /// of inertia; none in a direction without mass.
     pub effective_mass: [Option<f64>; 6],
-    /// Modal mass of the shape of the scene: kg, or kg m² for torsion and yaw.
+    /// Modal mass of the shape in the scene: kg, or kg m² for torsion and yaw.
     pub modal_mass: f64,
-    /// The damping ratio of the parts whose loss factors the file gives, and that with the rotor
-    /// in the wind at its operating speeds.
+    /// The damping ratio from the loss factors in the file, without and with the aerodynamic
+    /// damping at the operating speeds.
     pub damping: Option<DampedMode>,
     /// The verdict on the closest excitation.
     pub verdict: Option<Verdicted>,
@@ -108,20 +109,20 @@ pub struct DampedMode {
     pub running: Vec<[f64; 2]>,
 }
 
-/// A warning with the numbers that it is about.
+/// A warning with the input values that it is about.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Remark {
     /// The warning.
     pub text: String,
-    /// The names of the numbers.
+    /// The names of the input values.
     pub parameters: Vec<String>,
 }
 
 impl Explorer {
-    /// Solves the tower with changed numbers.
+    /// Solves the tower with changed input values.
     ///
     /// # Errors
-    /// [`Refusal`]: the tower cannot be, or cannot be solved.
+    /// [`Refusal`]: the input values describe no possible tower, or the tower cannot be solved.
     pub fn solve(&self, state: &State) -> Result<Answer, Refusal> {
         let started = self.now_ms();
         let solved = self.solved(state)?;
@@ -135,7 +136,7 @@ impl Explorer {
 }
 
 impl Answer {
-    /// The answer for a solved tower; its numbers are in the order of those of its file.
+    /// The answer for a solved tower; its input values are in the order of those of its file.
     pub(crate) fn new(solved: &Solved, file: &TowerInput) -> Self {
         let (tower, solution) = (&solved.tower, &solved.solution);
         let description = &solved.input.description;
@@ -166,7 +167,7 @@ fn checked(of: &Assessment) -> Resonance {
     Resonance::new(&of.campbell, of.campbell.verdict(), remarks)
 }
 
-/// The damping of all modes, if the file gives any.
+/// The damping of all modes, if the file gives loss factors or aerodynamic data.
 fn damped(solved: &Solved) -> Vec<DampedMode> {
     let rotor = solved.assessment.as_ref().map(|of| &of.campbell.rotor);
     let damping = damping(&solved.input.description, &solved.solution, rotor);
@@ -180,7 +181,7 @@ fn damped(solved: &Solved) -> Vec<DampedMode> {
     damping.map_or_else(|_| Vec::new(), |of| of.modes.iter().map(of_mode).collect())
 }
 
-/// The solver of a page knows towers alone.
+/// Method, mesh and, for a turbine, the remark that the rotor is rigid here.
 fn method(solution: &Solution, file: &TowerInput) -> String {
     let computed = computed_by(solution);
     match file.turbine {

@@ -13,25 +13,25 @@ use super::refusal::Refusal;
 use super::sheet::{also_in, column_of};
 use super::state::State;
 
-/// An answer to a question that names its numbers ends after this time, ms: the page asks again for
-/// the rest, unless something else has been asked by then.
+/// Time limit of an answer to a question for given names, ms: the page asks again for the remaining
+/// names, unless it has asked another question by then.
 const BUDGET_MS: f64 = 300.0;
-/// The numbers of the first batch. Each batch solves the tower once.
+/// Number of sliders in the first batch. Each batch solves the tower once.
 const FIRST_BATCH: usize = 8;
-/// A batch that takes no longer than this, ms, is followed by a larger one.
+/// A batch that takes less time than this, ms, is followed by a larger one.
 const QUICK_MS: f64 = 60.0;
-/// How much larger.
+/// The ratio of the sizes of these batches.
 const GROWTH: usize = 16;
 
 /// A question for the elasticities of a mode.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct ElasticityQuestion {
-    /// The changed numbers.
+    /// The changed input values.
     #[serde(flatten)]
     pub state: State,
     /// The number of the mode in the list, from 1.
     pub mode: usize,
-    /// Its name: "1st fore-aft bending". Sensitivities have a mesh of their own, on which modes
+    /// Its name: "1st fore-aft bending". Sensitivities are computed on another mesh, on which modes
     /// with nearly equal frequencies can have another order.
     #[serde(default)]
     pub label: Option<String>,
@@ -40,45 +40,46 @@ pub struct ElasticityQuestion {
     pub names: Option<Vec<String>>,
 }
 
-/// Percent of a frequency per percent of each number.
+/// The elasticities of a frequency: its change in percent for a 1 % change of each input value.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Elasticities {
     /// The name of the mode: "1st fore-aft bending".
     pub mode: String,
-    /// By the name of the number.
+    /// The elasticities, by the name of the input value.
     pub elasticities: BTreeMap<String, f64>,
-    /// Percent of the frequency per percent of a factor on all numbers of a column, by the name of
-    /// the column: `stations[*].wall`. It is no sum of the others: percent of a height are percent
-    /// of the height of the tower.
+    /// Change of the frequency in percent for a 1 % change of a factor on all input values of a
+    /// column, by the name of the column: `stations[*].wall`. This is not the sum of the other
+    /// elasticities, because for a height 1 % means 1 % of the tower height.
     pub columns: BTreeMap<String, f64>,
-    /// Why a number or a column has no elasticity, by its name.
+    /// Why an input value or a column has no elasticity, by its name.
     pub reasons: BTreeMap<String, NoElasticity>,
-    /// The names that are wanted and not yet answered.
+    /// The requested names that are not yet answered.
     pub left: Vec<String>,
     /// Duration, ms.
     pub answer_ms: f64,
 }
 
-/// Why a number has no elasticity.
+/// Why an input value has no elasticity.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct NoElasticity {
-    /// In place of the elasticity: the derivative of a number that is zero, "−0.72 %/m".
+    /// The text instead of the elasticity: for an input value that is zero the derivative, "−0.72
+    /// %/m".
     pub short: String,
     /// The reason in a sentence.
     pub text: String,
 }
 
-/// A slider of the page: a number with those that follow it, or a column.
+/// A slider of the page: an input value with those that move with it, or a column.
 struct Slider {
     name: String,
     change: Change,
-    /// The names of the numbers; empty for a column.
+    /// The names of the input values; empty for a column.
     numbers: Vec<String>,
 }
 
 impl Explorer {
-    /// The elasticities of one mode with respect to what the sliders move. The computation ends
-    /// when `wanted` returns false.
+    /// The elasticities of one mode with respect to the sliders. The computation ends when `wanted`
+    /// returns false.
     ///
     /// # Errors
     /// [`Refusal`].
@@ -125,8 +126,8 @@ impl Explorer {
         Ok(found)
     }
 
-    /// The sliders with these names, in this order, or all sliders. The file decides which numbers
-    /// move together.
+    /// The sliders with these names, in this order, or all sliders. The file determines which input
+    /// values move together.
     fn sliders(&self, description: &TowerDescription, names: Option<&[String]>) -> Vec<Slider> {
         let linked = Linked::of(&self.exploration.input);
         let columns = columns(&linked, description);
@@ -156,7 +157,7 @@ impl Elasticities {
         }
     }
 
-    /// Adds the influences of a batch of sliders on the mode of the question.
+    /// Adds the elasticities of the mode of the question with respect to a batch of sliders.
     fn add(&mut self, batch: &[Slider], of: &Influences, question: &ElasticityQuestion) {
         let named = question.label.as_ref();
         let named = named.and_then(|label| of.modes.iter().position(|mode| mode.label == *label));
@@ -212,7 +213,7 @@ impl NoElasticity {
     }
 }
 
-/// A number with those that follow it.
+/// The slider of an input value with those that move with it.
 fn single(linked: &Linked, leader: Parameter, description: &TowerDescription) -> Option<Slider> {
     let change = Change::parse(&linked.change("add", leader), description).ok()?;
     let numbers = linked.moved_by(leader).into_iter();
@@ -223,7 +224,8 @@ fn single(linked: &Linked, leader: Parameter, description: &TowerDescription) ->
     })
 }
 
-/// The columns by name, each with the factor on all its numbers; infinite ones have no multiple.
+/// The columns by name, each with the factor on all its input values; columns with infinite values
+/// are omitted, because a factor does not change these.
 fn columns(linked: &Linked, description: &TowerDescription) -> Vec<Slider> {
     let mut numbers: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for &parameter in linked.numbers() {
@@ -285,14 +287,14 @@ mod tests {
         }
     }
 
-    /// Each look at this clock takes half the time of an answer.
+    /// A clock on which every reading takes half the time limit of an answer.
     fn slow() -> f64 {
         static LOOKS: AtomicU32 = AtomicU32::new(0);
         0.5 * BUDGET_MS * f64::from(LOOKS.fetch_add(1, Ordering::Relaxed))
     }
 
-    /// A slow model is answered in parts, the most wanted first, and each part ends; the mode is
-    /// that of the label.
+    /// A slow model is answered in parts, the first requested names first, and each part ends in
+    /// time; the mode is identified by its label.
     #[test]
     fn slow_answers_come_in_parts() {
         let explorer = explorer(slow);

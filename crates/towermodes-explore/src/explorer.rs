@@ -1,4 +1,5 @@
-//! A tower as its file describes it, solved with changed numbers. Each answer to a page has a file.
+//! A tower as its file describes it, solved with changed input values. Each answer to the page has
+//! its own file in this folder.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -11,19 +12,19 @@ use towermodes_files::TowerInput;
 use super::refusal::Refusal;
 use super::state::State;
 
-/// Writes the report of an input: the page, or why there is none. The words are the command that
-/// writes the same report.
+/// Writes the report of an input; returns the page, or the reason why there is none. The texts are
+/// the arguments of the command that writes the same report.
 pub type Reporter = Box<dyn Fn(TowerInput, &[String]) -> Result<String, String> + Send + Sync>;
 
 /// Returns whether a long computation shall continue; if not, it is cancelled.
 pub type Wanted<'a> = &'a dyn Fn() -> bool;
 
-/// Heights of the shapes: as many as the page draws.
+/// Number of heights of the shapes that the page draws.
 pub const POINTS: usize = 41;
 
 /// The data of an explorer.
 pub struct Exploration {
-    /// The tower as its file describes it, before any number is changed.
+    /// The tower as its file describes it, before any input value is changed.
     pub input: TowerInput,
     /// The options of each solution.
     pub options: Options,
@@ -35,22 +36,22 @@ pub struct Exploration {
     pub campbell: CampbellOptions,
     /// The file as the user wrote it.
     pub file: String,
-    /// The options of the command line that every command with this file needs, as words.
+    /// The command-line options that every command with this file needs, as separate arguments.
     pub reading: Vec<String>,
-    /// The options of method and mesh, as words.
+    /// The options of method and mesh, as separate arguments.
     pub solving: Vec<String>,
-    /// The options of the rotor, as words.
+    /// The options of the rotor, as separate arguments.
     pub rotating: Vec<String>,
-    /// Another tower that the page compares with, as its file describes it.
+    /// Another tower with which the page compares this tower, as its file describes it.
     pub against: Option<Box<Exploration>>,
     /// Writes reports.
     pub report: Reporter,
-    /// Milliseconds from any moment on, to measure times.
+    /// Milliseconds since an arbitrary moment, to measure durations.
     pub clock: fn() -> f64,
 }
 
 impl Exploration {
-    /// The data of an explorer if only the file determines how the tower is solved.
+    /// The data of an explorer without options: the file determines how the tower is solved.
     pub fn of_file(input: TowerInput, file: String, report: Reporter, clock: fn() -> f64) -> Self {
         let options = Options {
             points: POINTS,
@@ -73,14 +74,14 @@ impl Exploration {
     }
 }
 
-/// The tower under the user's hand.
+/// The explorer of one tower.
 pub struct Explorer {
     pub(crate) exploration: Exploration,
     solver: Mutex<Solver>,
     against: Option<Box<Explorer>>,
 }
 
-/// A tower with changed numbers, solved.
+/// A tower with changed input values, and its solution.
 pub(crate) struct Solved {
     pub(crate) input: TowerInput,
     pub(crate) tower: Tower,
@@ -101,18 +102,19 @@ impl Explorer {
         }
     }
 
-    /// The tower of a state: the other one if the state is one of it and there is one.
+    /// The explorer that a state belongs to: the other tower if the state belongs to it and there
+    /// is one.
     pub(crate) fn of(&self, state: &State) -> &Self {
         let other = self.against.as_deref().filter(|_| state.is_of_other);
         other.unwrap_or(self)
     }
 
-    /// The tower that the page compares with.
+    /// The explorer of the tower of the comparison.
     pub(crate) fn other(&self) -> Option<&Self> {
         self.against.as_deref()
     }
 
-    /// The tower with changed numbers, and its description checked.
+    /// The tower with changed input values, and its checked description.
     pub(crate) fn changed(&self, state: &State) -> Result<(TowerInput, Tower), Refusal> {
         let input = state.apply(&self.exploration.input);
         let input = input.map_err(|error| Refusal::of_setting(&error))?;
@@ -153,8 +155,9 @@ impl Explorer {
         })
     }
 
-    /// The resonance check of the tower modes. A blade would be solved at many speeds for every
-    /// frame, and no slider changes it: its modes are in the report.
+    /// The resonance check of the tower modes. Blade modes are omitted: they would have to be
+    /// solved at many rotor speeds for every frame, and no slider changes them; they are in the
+    /// report.
     fn assessment(
         &self,
         input: &TowerInput,
@@ -175,7 +178,7 @@ impl Explorer {
         chosen.map(|chosen| chosen.rotor)
     }
 
-    /// The options, without the elements of a deck where a height has changed.
+    /// The options; without the element boundaries of a BModes deck if a height has changed.
     pub(crate) fn options(&self, input: &TowerInput) -> Options {
         let mut options = self.exploration.options.clone();
         options.borders_m = options

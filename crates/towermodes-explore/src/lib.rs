@@ -1,10 +1,11 @@
-//! The tower under the user's hand: its numbers are sliders, and every frame is a solve.
+//! The interactive explorer: the input values of a tower have sliders, and the tower is solved
+//! again for every frame.
 //!
-//! An [`Explorer`] holds a tower as its file describes it and answers the questions of a page: the
-//! numbers and their ranges, the modes for changed numbers, elasticities, files to take away. It
-//! keeps no state of the page: each question has all numbers that differ from the file. The page
-//! is `page`, its scripts are built from the folder `page/` of the repository; `server` serves it
-//! on this machine.
+//! An [`Explorer`] contains a tower as its file describes it and answers the requests of a page:
+//! the input values and their ranges, the modes for changed input values, elasticities, files to
+//! download. It keeps no state of the page: each request contains all input values that differ from
+//! the file. The page is in `page`, its scripts are built from the folder `page/` of the
+//! repository; `server` serves it on this machine.
 
 mod answer;
 mod band;

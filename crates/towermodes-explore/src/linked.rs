@@ -1,13 +1,14 @@
-//! The numbers that one slider moves together: the two values of a boundary between layers, the
-//! stations at one height, and the point masses that stand on them.
+//! The input values that one slider moves together: the two values of a boundary between layers,
+//! the stations at one height, and the point masses at this height.
 
 use std::collections::HashMap;
 
 use towermodes::{Parameter, Place, TowerDescription};
 use towermodes_files::TowerInput;
 
-/// The numbers of a page. The assembly of a turbine follows from nacelle, hub and blades: the file
-/// has no table of it, and with another one there is no turbine.
+/// The input values on the page. For a turbine without those of the rotor-nacelle assembly, which
+/// follows from nacelle, hub and blades: the file has no table of it, and if it were changed, it
+/// would not be the one of the turbine.
 pub(crate) fn numbers(input: &TowerInput) -> Vec<Parameter> {
     let is_derived =
         |one: &Parameter| input.turbine.is_some() && matches!(one.place(), Place::Rna { .. });
@@ -16,24 +17,24 @@ pub(crate) fn numbers(input: &TowerInput) -> Vec<Parameter> {
     numbers
 }
 
-/// The numbers of a tower that move with others.
+/// The input values of a tower that move together with others.
 pub(crate) struct Linked {
-    /// For each number without a slider of its own: the number whose slider moves it.
+    /// For each input value without a slider of its own: the input value whose slider moves it.
     leaders: HashMap<Parameter, Parameter>,
-    /// For each number with a slider: the other numbers that this slider moves, in the order of the
-    /// tower file.
+    /// For each input value with a slider: the other input values that this slider moves, in the
+    /// order of the tower file.
     others: HashMap<Parameter, Vec<Parameter>>,
-    /// All numbers, in the order of the tower file.
+    /// All input values, in the order of the tower file.
     numbers: Vec<Parameter>,
 }
 
 impl Linked {
-    /// The links between the numbers of the page of a file.
+    /// The links between the input values of a file.
     pub(crate) fn of(file: &TowerInput) -> Self {
         Self::new(numbers(file), &file.description)
     }
 
-    /// The links between these numbers, which are in the order of the tower file.
+    /// The links between these input values, which are in the order of the tower file.
     fn new(numbers: Vec<Parameter>, description: &TowerDescription) -> Self {
         let mut at: HashMap<u64, Vec<Parameter>> = HashMap::new();
         let mut leaders = HashMap::new();
@@ -62,18 +63,18 @@ impl Linked {
         }
     }
 
-    /// The number whose slider moves this one; none if it has a slider of its own.
+    /// The input value whose slider moves this one; none if this one has its own slider.
     pub(crate) fn leader(&self, parameter: Parameter) -> Option<Parameter> {
         self.leaders.get(&parameter).copied()
     }
 
-    /// The numbers that the slider of a number moves, itself first.
+    /// The input values that the slider of an input value moves, itself first.
     pub(crate) fn moved_by(&self, leader: Parameter) -> Vec<Parameter> {
         let others = self.others.get(&leader).into_iter().flatten();
         [leader].into_iter().chain(others.copied()).collect()
     }
 
-    /// The change of all numbers that the slider of a number moves, in the words of `--set`: by the
+    /// The change of all input values that a slider moves, in the notation of `--set`: with the
     /// function `add` or `set` if there are several.
     pub(crate) fn change(&self, function: &str, leader: Parameter) -> String {
         let moved = self.moved_by(leader);
@@ -84,20 +85,20 @@ impl Linked {
         }
     }
 
-    /// The numbers with a slider of their own.
+    /// The input values with a slider of their own.
     pub(crate) fn with_sliders(&self) -> impl Iterator<Item = Parameter> {
         let own = self.numbers.iter().copied();
         own.filter(|one| self.leader(*one).is_none())
     }
 
-    /// A height of the list of stations whose factor multiplies this number too: a point mass keeps
-    /// its place on the tower.
+    /// A height of the list of stations whose factor also multiplies this input value, so that a
+    /// point mass keeps its relative height on the tower.
     pub(crate) fn scaled_with(&self, parameter: Parameter) -> Option<Parameter> {
         let mut stations = self.numbers.iter().copied().filter(is_station_height);
         stations.next().filter(|_| is_mass_height(&parameter))
     }
 
-    /// All numbers, in the order of the tower file.
+    /// All input values, in the order of the tower file.
     pub(crate) fn numbers(&self) -> &[Parameter] {
         &self.numbers
     }

@@ -7,7 +7,7 @@ use towermodes_report::report::page_colours;
 /// A file of the page.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PageFile {
-    /// Its address relative to that of the page, which is the empty one.
+    /// Its address relative to the address of the page, which has an empty relative address.
     pub name: &'static str,
     /// Its media type.
     pub media_type: &'static str,
@@ -16,7 +16,7 @@ pub struct PageFile {
 }
 
 /// The page and its files. Scripts and styles are built from the folder `page/` of the repository;
-/// the page refers to nothing else.
+/// the page loads nothing else.
 pub fn page_files() -> Vec<PageFile> {
     let file = |name, media_type, content| PageFile {
         name,

@@ -11,9 +11,9 @@ use super::turbine::WhirlQuestion;
 /// The requests of a page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Question {
-    /// The numbers of the tower.
+    /// The input values of the tower.
     Sheet,
-    /// The modes for changed numbers.
+    /// The modes for changed input values.
     Solve,
     /// The coupled diagram of a turbine.
     Coupled,
@@ -34,13 +34,13 @@ pub enum Question {
 /// An answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Reply {
-    /// A document in JSON; the key `refused` of a solved tower is null.
+    /// A document in JSON; in the answer for a solved tower the key `refused` is null.
     Json(Vec<u8>),
     /// A file.
     File(Taken),
-    /// There is no such file, with the refusal of the tower in JSON.
+    /// There is no such file; the refusal of the tower in JSON.
     Refused(Vec<u8>),
-    /// There is no such file, and why.
+    /// There is no such file; the reason.
     NoFile(String),
     /// The text is not a question.
     Wrong(String),
@@ -60,7 +60,7 @@ impl Question {
         Self::Take,
     ];
 
-    /// Its name in addresses.
+    /// Its name in the address of a request.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sheet => "sheet",
@@ -77,8 +77,8 @@ impl Question {
 }
 
 impl Explorer {
-    /// Answers a question, whose text is JSON; that for the sheet is not read. A long answer is
-    /// given up when it is not `wanted`.
+    /// Answers a question, whose text is JSON; the text of the question for the sheet is not read.
+    /// A long computation is cancelled when `wanted` returns false.
     pub fn reply(&self, question: Question, text: &[u8], wanted: Wanted<'_>) -> Reply {
         match question {
             Question::Sheet => json(&self.sheet()),
@@ -103,7 +103,7 @@ impl Explorer {
     }
 }
 
-/// The answer to a question in JSON, if it is one.
+/// The answer to a question in JSON, if the text is one.
 fn asked<Q: DeserializeOwned>(text: &[u8], answer: impl FnOnce(&Q) -> Reply) -> Reply {
     match serde_json::from_slice(text) {
         Ok(question) => answer(&question),
@@ -111,7 +111,7 @@ fn asked<Q: DeserializeOwned>(text: &[u8], answer: impl FnOnce(&Q) -> Reply) -> 
     }
 }
 
-/// An answer that is not refused.
+/// An answer for a tower that is not refused.
 #[derive(Serialize)]
 struct Given<T> {
     refused: (),
@@ -119,7 +119,7 @@ struct Given<T> {
     answer: T,
 }
 
-/// A refused tower is an answer too.
+/// The answer, or the refusal of the tower, as JSON.
 fn either(result: Result<impl Serialize, Refusal>) -> Reply {
     match result {
         Ok(answer) => json(&Given {

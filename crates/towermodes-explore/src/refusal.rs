@@ -1,4 +1,5 @@
-//! Why a tower cannot be, or cannot be solved, and which numbers are concerned.
+//! Why the input values describe no tower, or the tower cannot be solved, and which input values
+//! are concerned.
 
 use serde::Serialize;
 use towermodes::{Parameter, Place, SolveError, TowerDescription, TowerError};
@@ -20,7 +21,7 @@ pub struct Refused {
     pub message: String,
     /// The suggestion, if there is one.
     pub hint: Option<String>,
-    /// The names of the numbers concerned; none if the whole tower is.
+    /// The names of the input values concerned; none if the error is about the whole tower.
     pub parameters: Vec<String>,
 }
 
@@ -36,23 +37,23 @@ impl Refusal {
         }
     }
 
-    /// An error that names no number and has no hint.
+    /// An error that is about no single input value and has no hint.
     pub(crate) fn of(error: &impl ToString) -> Self {
         Self::new(error.to_string(), None, Vec::new())
     }
 
-    /// A tower that cannot be.
+    /// The refusal for input values that describe no possible tower.
     pub(crate) fn of_tower(error: &TowerError, description: &TowerDescription) -> Self {
         let parameters = names_at(error.place, description);
         Self::new(error.to_string(), error.hint(), parameters)
     }
 
-    /// A tower that cannot be solved.
+    /// The refusal for a tower that cannot be solved.
     pub(crate) fn of_solve(error: &SolveError) -> Self {
         Self::new(error.to_string(), remedy_here(error), Vec::new())
     }
 
-    /// A rotor whose excitations cannot be compared.
+    /// The refusal for a rotor whose excitations cannot be checked.
     pub(crate) fn of_campbell(error: &CampbellError, description: &TowerDescription) -> Self {
         match error {
             CampbellError::Rotor(error) => Self::of_tower(error, description),
@@ -60,7 +61,7 @@ impl Refusal {
         }
     }
 
-    /// Numbers that cannot be set.
+    /// The refusal for input values that cannot be set.
     pub(crate) fn of_setting(error: &SettingError) -> Self {
         Self::of(error)
     }
@@ -81,7 +82,7 @@ fn remedy_here(error: &SolveError) -> Option<&'static str> {
     }
 }
 
-/// The names of the numbers at a place of a description.
+/// The names of the input values at a place of a description.
 pub(crate) fn names_at(place: Place, description: &TowerDescription) -> Vec<String> {
     let all = Parameter::all(description).into_iter();
     let here = all.filter(|parameter| parameter.place() == place);

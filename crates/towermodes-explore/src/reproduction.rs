@@ -50,14 +50,14 @@ impl Explorer {
         changed.map(sentences).unwrap_or_default()
     }
 
-    /// A command on the file with the numbers of a state, for a shell.
+    /// A shell command for the file with the input values of a state.
     pub(crate) fn command(&self, name: &str, state: &State) -> String {
         let words = self.words(name, state);
         let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
         words.join(" ")
     }
 
-    /// The same as words.
+    /// The same command as separate arguments.
     pub(crate) fn words(&self, name: &str, state: &State) -> Vec<String> {
         let of = &self.exploration;
         let mut words = vec!["towermodes".to_owned(), name.to_owned()];
@@ -81,7 +81,7 @@ impl Explorer {
         words
     }
 
-    /// The numbers of a state, and one factor in place of a whole column that is multiplied by it.
+    /// The input values of a state; a column whose values all have the same factor is one setting.
     pub(crate) fn settings(&self, state: &State) -> Vec<Setting> {
         let columns = self.whole_columns(state);
         let is_in_column = |name: &str| columns.iter().any(|of| of.names.iter().any(|n| n == name));
@@ -92,7 +92,7 @@ impl Explorer {
         factors.chain(singles).collect()
     }
 
-    /// The columns of which the state multiplies every number by the same factor.
+    /// The columns of which the state multiplies every input value by the same factor.
     fn whole_columns(&self, state: &State) -> Vec<WholeColumn> {
         if state.numbers.is_empty() {
             return Vec::new();
@@ -122,16 +122,17 @@ impl Explorer {
     }
 }
 
-/// A column whose numbers are all multiplied by one factor.
+/// A column whose input values are all multiplied by one factor.
 struct WholeColumn {
     column: String,
     names: Vec<String>,
     factor: f64,
 }
 
-/// The factor with which each number of the file gives that of the state; for two numbers or more.
+/// The factor by which each input value of the file must be multiplied to give that of the state,
+/// for at least two input values.
 ///
-/// A page rounds products to twelve digits, so that no field has seventeen.
+/// The page rounds products to twelve digits, so that no input field has seventeen.
 fn common_factor(numbers: &[(String, f64)], state: &State) -> Option<f64> {
     const ROUNDED: f64 = 1e-11;
     let changed = |name: &String| state.numbers.get(name).copied();
@@ -148,7 +149,7 @@ fn common_factor(numbers: &[(String, f64)], state: &State) -> Option<f64> {
     (numbers.len() > 1 && numbers.iter().all(is_multiple)).then_some(factor)
 }
 
-/// The lines of Python. Options that only the program has are left out of them.
+/// The Python script. Options that exist only in the command line are omitted.
 fn python(explorer: &Explorer, state: &State) -> String {
     let of = &explorer.exploration;
     let mut text = String::from("import towermodes as tm\n\n");

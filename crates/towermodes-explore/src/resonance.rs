@@ -9,7 +9,7 @@ use towermodes_analysis::resonance::{Campbell, Excited, Margin};
 /// The resonance check of a tower or of a turbine.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Resonance {
-    /// The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
+    /// The worst verdict: `pass`, `warn`, `fail`, or `undecided` if nothing is checked.
     pub word: Verdict,
     /// The conclusion in sentences, then the remarks of the check.
     pub conclusion: Vec<String>,
@@ -56,7 +56,7 @@ pub struct DiagramRow {
     pub nearest_rpm: f64,
     /// The excitation frequency at this rotor speed, Hz.
     pub excitation_hz: f64,
-    /// The natural frequency there, Hz.
+    /// The natural frequency at this rotor speed, Hz.
     pub natural_hz: f64,
     /// The natural frequency with the digits that its error leaves.
     pub frequency: String,
@@ -80,7 +80,7 @@ pub struct Verdicted {
 }
 
 impl Resonance {
-    /// The check of a diagram, with its verdict and remarks.
+    /// The resonance check of a diagram, with its verdict and remarks.
     pub(crate) fn new(
         campbell: &Campbell,
         word: Verdict,
@@ -142,7 +142,7 @@ fn rows(campbell: &Campbell) -> Vec<DiagramRow> {
     campbell.margins.iter().map(row).collect()
 }
 
-/// The verdict on a tower mode, with the excitation that decides it.
+/// The verdict on a tower mode, with the excitation that determines it.
 pub(crate) fn verdict_on(campbell: &Campbell, number: usize) -> Option<Verdicted> {
     let is_own = |excited| matches!(excited, Excited::Tower { number: n, .. } if n == number);
     if !campbell.not_checked.is_empty() {

@@ -1,4 +1,4 @@
-//! The numbers of a tower as groups of sliders, from the same list as the names of `--set`.
+//! The input values of a tower as groups of sliders, from the same list as the names of `--set`.
 
 use std::collections::HashMap;
 
@@ -16,7 +16,7 @@ use super::state::State;
 pub struct Sheet {
     /// The version of the program.
     pub version: &'static str,
-    /// The name of the tower; that of the file if it has none.
+    /// The name of the tower, or of the file if the tower has none.
     pub name: String,
     /// The name of the file.
     pub file: String,
@@ -32,25 +32,25 @@ pub struct Sheet {
     pub notes: Vec<String>,
     /// Whether the file describes a turbine with flexible blades, whose rotor can turn.
     pub has_turbine: bool,
-    /// Whether its frequencies depend on soil or an elastic foundation.
+    /// Whether the frequencies depend on soil or an elastic foundation.
     pub has_soil: bool,
-    /// The tower that the page compares with.
+    /// The tower of the comparison.
     pub against: Option<OtherSheet>,
 }
 
-/// A tower that a page compares with.
+/// A tower with which the page compares the tower.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OtherSheet {
     /// The name of the file.
     pub file: String,
-    /// The names of its numbers, in the order of the values of its answers.
+    /// The names of its input values, in the order of the values of its answers.
     pub names: Vec<String>,
     /// Whether its rotor can turn.
     pub has_turbine: bool,
 }
 
 impl Explorer {
-    /// The numbers of the tower with the ranges of their sliders.
+    /// The input values of the tower with the ranges of their sliders.
     pub fn sheet(&self) -> Sheet {
         let input = &self.exploration.input;
         let (groups, parameters) = groups_and_parameters(input);
@@ -91,35 +91,35 @@ pub struct Group {
     pub columns: Vec<String>,
 }
 
-/// A number of the tower with the range of its slider.
+/// An input value of the tower with the range of its slider.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SheetParameter {
-    /// `stations[2].wall`.
+    /// The name: `stations[2].wall`.
     pub name: String,
     /// The index of its group.
     pub group: usize,
     /// The name of its column, if its group is a list: `stations[*].wall`.
     pub column: Option<String>,
-    /// The name of a column of another list whose factor multiplies it too: heights of point masses
-    /// are multiplied with those of the stations.
+    /// The name of a column of another list whose factor also multiplies this input value: heights
+    /// of point masses are multiplied with those of the stations.
     pub also_in: Option<String>,
-    /// The index of the number with whose slider it moves, if it has none of its own: the two
-    /// values of a boundary between layers, the heights at a joint.
+    /// The index of the input value whose slider moves this one, if it has no slider of its own:
+    /// the two values of a boundary between layers, the heights at a joint.
     pub follows: Option<usize>,
     /// Its name within the group: `wall`, `3: wall`; rows count from 1, as in messages.
     pub label: String,
     /// Its meaning in a few words; for a slider that moves several input values, the meaning of
     /// all.
     pub meaning: String,
-    /// Its unit; empty without one.
+    /// Its unit; empty for a dimensionless value.
     pub unit: &'static str,
-    /// The value of the file.
+    /// The value in the file.
     pub value: f64,
     /// The lower end of its slider.
     pub low: f64,
     /// The upper end of its slider.
     pub high: f64,
-    /// The dimension of a station that can be dragged in the view, if it is one.
+    /// The dimension of a station that can be dragged in the view, if the input value is one.
     pub drag: Option<Dragged>,
 }
 
@@ -128,11 +128,11 @@ pub struct SheetParameter {
 pub struct Dragged {
     /// The index of the station, from 0.
     pub station: usize,
-    /// `height` or `diameter`.
+    /// The quantity: `height` or `diameter`.
     pub quantity: &'static str,
 }
 
-/// Groups and numbers of a tower.
+/// Groups and input values of a tower.
 fn groups_and_parameters(input: &TowerInput) -> (Vec<Group>, Vec<SheetParameter>) {
     let description = &input.description;
     let sliders = Sliders::new(description);
@@ -178,7 +178,8 @@ fn groups_and_parameters(input: &TowerInput) -> (Vec<Group>, Vec<SheetParameter>
     (groups, parameters)
 }
 
-/// The label of a slider with the rows of all numbers of its column that it moves: `2, 3: height`.
+/// The label of a slider with the rows of all input values of its column that it moves: `2, 3:
+/// height`.
 fn label(moved: &[Parameter]) -> String {
     let own = Name::new(moved[0]);
     let others = moved[1..]
@@ -194,17 +195,17 @@ fn label(moved: &[Parameter]) -> String {
     }
 }
 
-/// The column of another list whose factor multiplies a number too.
+/// The column of another list whose factor also multiplies an input value.
 pub(crate) fn also_in(parameter: Parameter, linked: &Linked) -> Option<String> {
     linked.scaled_with(parameter).and_then(column_of)
 }
 
-/// The name of the column of a number, if it is in a list: `stations[*].wall`.
+/// The name of the column of an input value, if it is in a list: `stations[*].wall`.
 pub(crate) fn column_of(parameter: Parameter) -> Option<String> {
     Name::new(parameter).column
 }
 
-/// A name in the pieces that a page shows.
+/// A name divided into the parts that the page shows.
 struct Name {
     group: &'static str,
     column: Option<String>,
@@ -212,7 +213,8 @@ struct Name {
 }
 
 impl Name {
-    /// `stations[2].wall` is `wall` of row 3 of `stations[]`, in the column `stations[*].wall`.
+    /// Divides a name: `stations[2].wall` is `wall` of row 3 of `stations[]`, in the column
+    /// `stations[*].wall`.
     fn new(parameter: Parameter) -> Self {
         let [group, key] = parameter.pattern();
         let name = parameter.to_string();
@@ -242,7 +244,7 @@ fn rows(name: &str) -> Vec<String> {
     inside.map(|index| (index + 1).to_string()).collect()
 }
 
-/// Heights and diameters of stations can be dragged.
+/// The dimension that can be dragged: heights and diameters of stations.
 fn dragged(parameter: Parameter) -> Option<Dragged> {
     match parameter.place() {
         Place::Station { index, key } if parameter.is_of_stations() && key != "wall" => {

@@ -8,26 +8,28 @@ use towermodes::{Parameter, Place, Tower, TowerDescription};
 
 use super::linked::Linked;
 
-/// A slider reaches this share of the value to both sides.
+/// A slider extends from the value by this fraction of the value in both directions.
 const SHARE: f64 = 0.3;
-/// A height moves at most this share of the tower's height, or of the distance to its neighbour.
+/// A slider of a height extends by at most this fraction of the tower height, or of the distance to
+/// the neighbouring height.
 const HEIGHT_SHARE: f64 = 0.1;
-/// What remains of the distance to a neighbour.
+/// Smallest fraction of the distance to a neighbour that remains.
 const LEFT: f64 = 0.05;
 /// Local scour is at most this many diameters deep.
 const SCOUR: f64 = 2.0;
-/// The factor on the springs of the soil, which is the least known of all numbers.
+/// The range of the factor on the springs of the soil, which is the most uncertain of all input
+/// values.
 const SPRINGS: [f64; 2] = [0.25, 4.0];
 
 /// The ranges of the sliders of a tower.
 pub(crate) struct Sliders<'d> {
     description: &'d TowerDescription,
-    /// The heights of each list, m, by the height of its first row.
+    /// The heights of each list, m, by the input value of its first height.
     heights_m: HashMap<Parameter, Vec<f64>>,
-    /// Height of the tower, m, and mass of tower and RNA, kg; 1 of an impossible tower.
+    /// Height of the tower, m, and mass of tower and RNA, kg; 1 if the description is impossible.
     height_m: f64,
     mass_kg: f64,
-    /// Depth of scour, m; none without a diameter at the ground.
+    /// Largest depth of scour, m; none without a diameter at the ground.
     scour_m: Option<f64>,
 }
 
@@ -54,8 +56,9 @@ impl<'d> Sliders<'d> {
         }
     }
 
-    /// The ends of the slider of a number with all numbers that it moves: what moves two values of
-    /// a boundary stays between the neighbours of both. A point mass goes with its station.
+    /// The ends of the slider of an input value with all input values that it moves: two values of
+    /// a common boundary stay between the neighbours of both. Point masses that move with a station
+    /// do not limit it.
     pub(crate) fn range_of(&self, leader: Parameter, linked: &Linked) -> [f64; 2] {
         let moved = linked.moved_by(leader).into_iter();
         let moved = moved.filter(|one| {
@@ -67,7 +70,7 @@ impl<'d> Sliders<'d> {
         both.unwrap_or_else(|| self.range(leader))
     }
 
-    /// The ends of a number's slider; its value is between them.
+    /// The ends of the slider of an input value; its value is between them.
     pub(crate) fn range(&self, parameter: Parameter) -> [f64; 2] {
         let value = parameter.value(self.description);
         if parameter.is_height() {
@@ -77,7 +80,8 @@ impl<'d> Sliders<'d> {
             .unwrap_or_else(|| self.of_value(parameter, value))
     }
 
-    /// Scour and the factors on springs, whose usual ranges do not depend on their values.
+    /// The ranges of scour and of the factors on springs, which do not depend on the present
+    /// values.
     fn of_soil(&self, parameter: Parameter, value: f64) -> Option<[f64; 2]> {
         let [_, key] = parameter.pattern();
         let is_of_ground = matches!(
@@ -123,7 +127,7 @@ impl<'d> Sliders<'d> {
         }
     }
 
-    /// A height stays between the neighbours of its list.
+    /// The range of a height, between the neighbours in its list.
     fn of_height(&self, parameter: Parameter, value: f64) -> [f64; 2] {
         let reach_m = HEIGHT_SHARE * self.height_m;
         let (mut low, mut high) = (value - reach_m, value + reach_m);
@@ -139,7 +143,7 @@ impl<'d> Sliders<'d> {
         [low, high]
     }
 
-    /// A number that is zero has no scale of its own: that of the tower is taken.
+    /// The range of an input value that is zero, from the dimensions and mass of the tower.
     fn of_zero(&self, dimension: Dimension) -> [f64; 2] {
         use Dimension as D;
         let (height_m, mass_kg) = (self.height_m, self.mass_kg);
@@ -160,7 +164,8 @@ impl<'d> Sliders<'d> {
     }
 }
 
-/// Two diameters of the pile at the surface of the ground; none of a property table without one.
+/// Largest depth of scour: two diameters of the pile at the surface of the ground; none for a
+/// property table without a diameter.
 fn deepest_scour_m(tower: &Tower, description: &TowerDescription) -> Option<f64> {
     let ground = description.ground.as_ref()?;
     let of_tube = || match &tower.piece_at(ground.surface_m).profile {
@@ -180,8 +185,8 @@ mod tests {
 
     use super::Sliders;
 
-    /// Heights stay between their neighbours; other numbers move by 30 %, also negative ones; zeros
-    /// get a scale.
+    /// Heights stay between their neighbours; other input values change by 30 %, also negative
+    /// ones; for zeros the range follows from the tower.
     #[test]
     fn ranges_are_around_the_values() {
         let mut rna = Rna::point(350e3);

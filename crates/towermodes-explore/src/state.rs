@@ -1,4 +1,4 @@
-//! The numbers that a page has changed.
+//! The input values that the page has changed.
 
 use std::collections::BTreeMap;
 
@@ -8,19 +8,19 @@ use towermodes_files::{Setting, SettingError, TowerInput};
 /// The origin of the input values, in notes and errors.
 const PAGE: &str = "the page";
 
-/// The numbers that differ from the file, by the names that they have in the tower file. All
-/// others have the values of the file.
+/// The input values that differ from the file, by their names in the tower file. All others have
+/// the values of the file.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Name and value, in the units of the tower file.
     pub numbers: BTreeMap<String, f64>,
-    /// Whether they are those of the tower that the page compares with.
+    /// Whether they belong to the tower of the comparison.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub is_of_other: bool,
 }
 
 impl State {
-    /// The numbers in which a description differs from that of a file.
+    /// The input values in which a description differs from that of a file.
     pub fn between(file: &TowerInput, changed: &TowerInput) -> Self {
         let all = towermodes::Parameter::all(&file.description);
         let pairs = all.into_iter().map(|one| {
@@ -35,8 +35,8 @@ impl State {
         }
     }
 
-    /// The fragment of the page's address that has these numbers: `#rna.mass=360000`; empty without
-    /// any. Characters that an address does not allow are percent-encoded.
+    /// The fragment of the page's address with these input values: `#rna.mass=360000`; empty if
+    /// there are none. Characters that are not allowed in an address are percent-encoded.
     pub fn fragment(&self) -> String {
         let encoded = |name: &str| name.replace('[', "%5B").replace(']', "%5D");
         let numbers = self.settings().into_iter();
@@ -48,14 +48,14 @@ impl State {
         }
     }
 
-    /// The input with these numbers.
+    /// The input with these values.
     pub(crate) fn apply(&self, file: &TowerInput) -> Result<TowerInput, SettingError> {
         let mut input = file.clone();
         input.set(&self.settings(), PAGE)?;
         Ok(input)
     }
 
-    /// The numbers as settings of the command line.
+    /// The input values as settings of the command line.
     pub(crate) fn settings(&self) -> Vec<Setting> {
         let numbers = self.numbers.iter();
         let setting = |(name, value): (&String, &f64)| Setting::new(name.clone(), *value);

@@ -1,4 +1,4 @@
-//! Files to take away: the tower, its report, its pictures.
+//! Files to download: the tower, its report, its pictures.
 
 use serde::Deserialize;
 use thiserror::Error;
@@ -15,10 +15,10 @@ use super::state::State;
 /// Pixels for each unit of a picture.
 const SCALE: f64 = 2.0;
 
-/// A file that a page asks for.
+/// A request for a file.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Take {
-    /// The changed numbers.
+    /// The changed input values.
     #[serde(flatten)]
     pub state: State,
     /// The requested file.
@@ -55,7 +55,7 @@ pub enum PictureFormat {
     Png,
 }
 
-/// A file to take away.
+/// A file to download.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Taken {
     /// Its name: letters, digits, `-`, `_` and `.`.
@@ -91,7 +91,7 @@ impl From<Refusal> for TakeError {
 }
 
 impl Explorer {
-    /// A file of the tower with changed numbers.
+    /// The requested file for the tower with changed input values.
     ///
     /// # Errors
     /// [`TakeError`].
@@ -133,7 +133,8 @@ impl Taken {
     }
 }
 
-/// The comments above a file that is written anew: from which file, and what it lacks.
+/// The comments at the top of a newly written file: the file that it is written from, and data that
+/// it does not contain.
 fn head(of: &Exploration, file: &Rewritten) -> String {
     if file.anew.is_none() {
         return String::new();
@@ -216,7 +217,7 @@ fn drawn(solved: &Solved, what: What) -> Result<Drawn, TakeError> {
     }
 }
 
-/// The name of a file without folder and ending, in characters that every system allows.
+/// The name of a file without folder and extension, in characters that every system allows.
 fn stem(file: &str) -> String {
     let name = file.rsplit(['/', '\\']).next().unwrap_or_default();
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);

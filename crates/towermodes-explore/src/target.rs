@@ -1,5 +1,5 @@
-//! The lightest tower with a frequency in a band of the user, computed by `design` from the present
-//! input values.
+//! The lightest tower with a frequency in a band that the user gives, computed by `design` from the
+//! present input values.
 
 use serde::{Deserialize, Serialize};
 use towermodes::number::four_digits;
@@ -12,10 +12,10 @@ use super::refusal::Refusal;
 use super::sheet::also_in;
 use super::state::State;
 
-/// A question for a tower with a frequency in a band.
+/// A request for a tower with a frequency in a band.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct TargetQuestion {
-    /// The changed numbers, from which the search begins.
+    /// The changed input values, from which the search begins.
     #[serde(flatten)]
     pub state: State,
     /// The name of the mode, as in a design file: `fore-aft 1`.
@@ -28,7 +28,7 @@ pub struct TargetQuestion {
     pub variables: Vec<TargetVariable>,
 }
 
-/// A number, or all numbers of a column by one factor: `scale(stations[*].wall)`.
+/// An input value, or all input values of a column by one factor: `scale(stations[*].wall)`.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct TargetVariable {
     /// Its name.
@@ -42,7 +42,7 @@ pub struct TargetVariable {
 /// A tower that was found.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Found {
-    /// The numbers in which it differs from the file.
+    /// The input values in which it differs from the file.
     #[serde(flatten)]
     pub state: State,
     /// Frequency and mass before and after the search, and its limits, in sentences.
@@ -52,11 +52,11 @@ pub struct Found {
 }
 
 impl Explorer {
-    /// A light tower whose mode has a frequency in a band. The search ends when `wanted` returns
-    /// false.
+    /// A light tower with the frequency of the mode in a band. The search ends when `wanted`
+    /// returns false.
     ///
     /// # Errors
-    /// [`Refusal`]: the question contradicts itself, or no such tower is found.
+    /// [`Refusal`]: the request is contradictory, or no such tower is found.
     pub fn target(&self, question: &TargetQuestion, wanted: Wanted<'_>) -> Result<Found, Refusal> {
         let (input, _) = self.changed(&question.state)?;
         let base = &input.description;
@@ -116,8 +116,8 @@ impl TargetQuestion {
     }
 }
 
-/// A slider of the page as a change of all numbers that it moves: numbers that follow another are
-/// set with it, and a factor on the heights of stations moves point masses too.
+/// A slider of the page as a change of all input values that it moves: linked input values are set
+/// with it, and a factor on the heights of stations also multiplies the heights of point masses.
 fn moved_by_slider(name: &str, file: &TowerDescription, linked: &Linked) -> String {
     let column = name
         .strip_prefix("scale(")

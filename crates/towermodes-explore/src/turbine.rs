@@ -26,7 +26,7 @@ pub const SPEEDS: usize = 15;
 /// A rotor speed at which a page shows the modes of a turbine.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct WhirlQuestion {
-    /// The changed numbers.
+    /// The changed input values.
     #[serde(flatten)]
     pub state: State,
     /// The rotor speed, rpm.
@@ -66,10 +66,10 @@ pub struct WhirlMode {
     pub frequency_hz: f64,
     /// The frequency with four digits.
     pub frequency: String,
-    /// The shares of the energy, if less than 60 % of it is in the part of the name.
+    /// The shares of the energy, if less than 60 % of it is in the part that the name states.
     pub remark: String,
-    /// The mode with the same motion of the tower with a rigid rotor, which has elasticities; none
-    /// of a mode of the rotor.
+    /// The mode of the tower with a rigid rotor that has the same motion and therefore
+    /// elasticities; none for a mode of the rotor.
     pub tower_mode: Option<TowerMode>,
 }
 
@@ -118,7 +118,7 @@ impl Explorer {
     /// The modes of the turbine at a rotor speed, with their shapes.
     ///
     /// # Errors
-    /// [`Refusal`].
+    /// [`Refusal`]: there is no such turbine, or it cannot be solved.
     pub fn whirl(&self, question: &WhirlQuestion) -> Result<Whirl, Refusal> {
         let started = self.now_ms();
         let Prepared {
@@ -147,7 +147,7 @@ impl Explorer {
         })
     }
 
-    /// The modes of the tower with rotor and nacelle as a rigid body, up to the highest excitation.
+    /// The modes of the tower with a rigid rotor-nacelle assembly, up to the highest excitation.
     fn rigid(&self, input: &TowerInput, tower: &Tower) -> Result<(Solution, ChosenRotor), Refusal> {
         let given = &self.exploration.rotor;
         let chosen = given.in_place_of(input.description.rotor, input.blades);
@@ -207,7 +207,8 @@ impl WhirlMode {
 }
 
 impl TowerMode {
-    /// The mode with the motion that names a mode of the turbine.
+    /// The mode of the tower with a rigid rotor whose motion the name of a turbine mode states;
+    /// none for a mode of the rotor.
     fn like(name: TurbineModeName) -> Option<Self> {
         let family = match name.part {
             TurbinePart::Platform(family) => family,
@@ -232,8 +233,8 @@ mod tests {
 
     use super::TowerMode;
 
-    /// Elasticities are those of the tower with a rigid rotor, so they need the mode with the same
-    /// motion.
+    /// Elasticities are computed for the tower with a rigid rotor, so they need the mode with the
+    /// same motion.
     #[test]
     fn modes_of_tower_and_platform_have_one_with_a_rigid_rotor() {
         let like = |part, order| {

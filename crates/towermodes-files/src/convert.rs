@@ -12,7 +12,7 @@ use crate::note::Note;
 use crate::toml::{can_be_written, write_toml_with};
 use crate::windio::{WindIoWriteError, write_windio};
 
-/// A format that towers can be written in.
+/// A format in which towers can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OutputFormat {
     /// The tower file of this program; stores all data.
@@ -32,7 +32,7 @@ pub struct ConvertOptions {
     /// [`OutputFormat::Bmodes`].
     pub sections_file: Option<String>,
     /// Height at which the flexible tower of ElastoDyn begins, m; by default the joint with the
-    /// monopile, or else the tower base.
+    /// monopile, otherwise the tower base.
     pub from_height_m: Option<f64>,
 }
 
@@ -57,7 +57,7 @@ pub enum ConvertError {
     /// The second file of a BModes deck has no name.
     #[error("a BModes deck consists of two files, and the section file has no name")]
     NoSectionsFile,
-    /// BModes has no such tower.
+    /// BModes cannot represent the tower.
     #[error(transparent)]
     Bmodes(#[from] BmodesWriteError),
     /// The tower has no shapes for ElastoDyn.
@@ -66,7 +66,7 @@ pub enum ConvertError {
     /// A tower file of ElastoDyn cannot store a value.
     #[error(transparent)]
     TowerFile(#[from] TowerFileError),
-    /// windIO has no such tower.
+    /// windIO cannot represent the tower.
     #[error(transparent)]
     WindIo(#[from] WindIoWriteError),
 }

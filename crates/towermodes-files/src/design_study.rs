@@ -1,5 +1,5 @@
-//! The study of a design: what is chosen and what is to be reached, as the table `[design]` of a
-//! file describes it.
+//! The design file: design variables, frequency targets and limits, as the table `[design]`
+//! describes them.
 //!
 //! ```toml
 //! [design.variables]
@@ -32,13 +32,13 @@ pub struct DesignStudy {
     pub diameter_to_wall: Option<[f64; 2]>,
     /// The largest angle between wall and axis, degrees.
     pub cone_angle_deg: Option<f64>,
-    /// Number of segments or elements; `None` is the default of a solve.
+    /// Number of segments or elements; `None` for the default of `solve`.
     pub segments: Option<usize>,
-    /// The method; `None` is that of the tower, as `solve` takes it.
+    /// The method; `None` for the default of `solve` for this tower.
     pub method: Option<Method>,
     /// Whether sections have rotary inertia in bending.
     pub rotary_inertia: bool,
-    /// The study's own file, for messages.
+    /// The design file, for messages.
     pub source: Source,
 }
 
@@ -49,11 +49,11 @@ pub struct DesignVariable {
     pub name: Placed<String>,
     /// Its lowest and highest value.
     pub between: [f64; 2],
-    /// Values are multiples of it.
+    /// The step; values are multiples of it.
     pub step: Option<f64>,
     /// Which of its input values are separate variables.
     pub each: DesignEach,
-    /// Whether no number may exceed the one below it.
+    /// Whether no input value may exceed the one below it.
     pub is_falling: bool,
 }
 
@@ -63,11 +63,12 @@ pub enum DesignEach {
     /// One value for all.
     #[default]
     All,
-    /// Each number.
+    /// Each input value is a variable.
     Number,
-    /// Numbers of stations at the same height have one value: diameters at flanges.
+    /// Input values of stations at the same height have one value, for example diameters at
+    /// flanges.
     Height,
-    /// The numbers at both ends of a can have one value: wall thicknesses.
+    /// The input values at both ends of a can have one value, for example wall thicknesses.
     Can,
 }
 
@@ -78,38 +79,38 @@ pub struct DesignFrequency {
     pub mode: ModeName,
     /// Its band.
     pub band: DesignBand,
-    /// The bytes of the entry in the study.
+    /// The byte range of the entry in the file.
     pub span: Range<usize>,
 }
 
 /// The band of a frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DesignBand {
-    /// Lowest and highest frequency, Hz; 0 and infinity for none.
+    /// Lowest and highest frequency, Hz; 0 and infinity for no limit.
     Hz([f64; 2]),
     /// Between two multiples of the rotor speed, with a distance from both as a fraction; `None`
-    /// is the default of the resonance check.
+    /// for the default of the resonance check.
     Multiples([usize; 2], Option<f64>),
 }
 
-/// The variables and limits of a study for one tower.
+/// The variables and limits of a design file for one tower.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DesignChoices {
     /// The changes with their bounds and steps.
     pub variables: Vec<DesignChoice>,
-    /// Pairs of numbers of which the second must not exceed the first.
+    /// Pairs of input values of which the second must not exceed the first.
     pub falling: Vec<[Parameter; 2]>,
 }
 
-/// One value that a study chooses.
+/// One design variable of a tower.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignChoice {
-    /// The change by the variable.
+    /// The change that the variable makes.
     pub change: Change,
     /// The entry of [`DesignStudy::variables`] that it belongs to.
     pub entry: usize,
     /// Its lowest and highest value.
     pub between: [f64; 2],
-    /// Values are multiples of it.
+    /// The step; values are multiples of it.
     pub step: Option<f64>,
 }

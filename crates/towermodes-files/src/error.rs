@@ -1,4 +1,4 @@
-//! Why a file gives no tower.
+//! Why a file describes no tower.
 
 use std::fmt;
 
@@ -7,11 +7,10 @@ use thiserror::Error;
 use crate::diagnostic::Diagnostic;
 use crate::source::{FileError, Source};
 
-/// Why a file gives no tower or blade.
+/// Why a file describes no tower or blade.
 ///
-/// `Display` shows every mistake on a line of its own, as `file:line:column: what is wrong (what
-/// would be right)`. A program that shows mistakes in its own way takes them from
-/// [`ReadError::Mistakes`].
+/// `Display` shows every mistake on its own line, as `file:line:column: problem (suggestion)`. A
+/// program with its own format takes the mistakes from [`ReadError::Mistakes`].
 #[derive(Debug, Error)]
 pub enum ReadError {
     /// The file, or a file that it names, cannot be read.
@@ -28,7 +27,7 @@ pub enum ReadError {
 }
 
 impl ReadError {
-    /// One mistake in a file.
+    /// The error for one mistake in a file.
     pub fn mistake(source: &Source, mistake: Diagnostic) -> Self {
         Self::mistakes(source, vec![mistake])
     }

@@ -14,13 +14,13 @@ use crate::source::Source;
 /// The kinds of file that describe a tower, a blade, a substructure or a mooring system.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileFormat {
-    /// This program's own.
+    /// A tower file of this program.
     Toml,
     /// A main input file of BModes.
     Bmodes,
     /// A main input file of ElastoDyn, with its tower and blade files.
     ElastoDyn,
-    /// A tower file of ElastoDyn alone.
+    /// An ElastoDyn tower file without a main file.
     ElastoDynTower,
     /// A turbine in windIO, version 1 or 2.
     WindIo,
@@ -35,7 +35,7 @@ pub enum FileFormat {
 }
 
 impl FileFormat {
-    /// Its name.
+    /// The name of the format.
     pub fn name(self) -> &'static str {
         match self {
             Self::Toml => "TOML",
@@ -62,16 +62,16 @@ pub struct TowerInput {
     pub prescribed: Prescribed,
     /// Number of blades, if the files give it; they may give it without the rotor speed.
     pub blades: Option<usize>,
-    /// One of the rotor's blades at standstill, if the files have it.
+    /// One of the rotor's blades at standstill, if the files describe it.
     pub blade: Option<towermodes::BladeDescription>,
-    /// Nacelle, drivetrain and flexible blades, if the files describe them and if they make a
-    /// turbine whose modes can be solved ([`Self::whole_turbine`]). The description of the tower
-    /// has all of it as a rigid body.
+    /// Nacelle, drivetrain and flexible blades, if the files describe them and if the program can
+    /// solve the modes of this turbine ([`Self::whole_turbine`]). The description of the tower
+    /// contains all of it as a rigid body.
     pub turbine: Option<TurbineDescription>,
     /// Why there is no turbine, if the files describe a rotor on the tower; [`None`] if they
     /// describe only the tower, or if there is a turbine.
     pub turbine_missing: Option<Note>,
-    /// Notes on the turbine, which matter only where it is used.
+    /// Notes on the turbine, which apply only if it is used.
     pub turbine_notes: Vec<Note>,
     /// Height of the joint between monopile and tower, m, if there is a monopile.
     pub joint_m: Option<f64>,
@@ -79,20 +79,20 @@ pub struct TowerInput {
     pub(crate) modal_values: Option<ModalValues>,
     /// The layout of results that the file prescribes.
     pub layout: OutLayout,
-    /// Notes on what the reader decided, left out or could not take over.
+    /// Notes on decisions of the reader and on omitted or unusable data.
     pub notes: Vec<Note>,
-    /// Notes on the rotor and the blade, which matter only where these are used.
+    /// Notes on the rotor and the blade, which apply only if these are used.
     pub rotor_notes: RotorNotes,
     /// The files, the main one first.
     pub(crate) sources: Vec<Source>,
-    /// Texts with the numbers that were set by name after the files were read.
+    /// Texts with the input values that were set by name after the files were read.
     pub(crate) settings: Vec<Source>,
     /// The places of the values: first in the files, then in the settings.
     pub(crate) places: Places,
 }
 
 impl TowerInput {
-    /// A description from its files, which prescribe nothing for its solution.
+    /// A description from files that prescribe nothing for the solution.
     pub(crate) fn new(
         format: FileFormat,
         description: TowerDescription,
@@ -118,7 +118,7 @@ impl TowerInput {
         }
     }
 
-    /// The input of a program that made the description itself: a tower file without text.
+    /// The input of a program that makes the description itself: a tower file without text.
     ///
     /// # Example
     /// ```
@@ -145,7 +145,7 @@ impl TowerInput {
     /// The tower.
     ///
     /// # Errors
-    /// [`ReadError::Mistakes`] at the place of what no tower can have.
+    /// [`ReadError::Mistakes`] at the place of a value that is impossible for a tower.
     pub fn tower(&self) -> Result<Tower, ReadError> {
         Tower::new(self.description.clone()).map_err(|error| self.tower_mistake(&error))
     }
@@ -177,8 +177,7 @@ impl TowerInput {
         sources.nth(file).unwrap_or(&self.sources[0])
     }
 
-    /// The tower whose modes the shapes of ElastoDyn are fitted to, of
-    /// [`Self::description_for_shapes`].
+    /// The tower whose mode shapes are fitted for ElastoDyn, from [`Self::description_for_shapes`].
     ///
     /// # Errors
     /// As [`TowerInput::tower`].
@@ -190,12 +189,12 @@ impl TowerInput {
         input.tower()
     }
 
-    /// The description for the shapes of ElastoDyn.
+    /// The description for the mode shapes of ElastoDyn.
     ///
-    /// An ElastoDyn model is without gravity then, as are the modes of BModes, from which these
-    /// shapes are usually made: ElastoDyn adds the geometric stiffness of the self-weight itself.
-    /// A floating one keeps gravity, because weight and buoyancy are what holds it. Any other
-    /// tower is as its file describes it.
+    /// An ElastoDyn model is then without gravity, as are the modes of BModes, from which these
+    /// shapes are usually made: ElastoDyn adds the geometric stiffness of the self-weight itself. A
+    /// floating model keeps gravity, because its stiffness depends on weight and buoyancy. Any
+    /// other tower is as its file describes it.
     pub fn description_for_shapes(&self) -> TowerDescription {
         let mut description = self.description.clone();
         if self.format == FileFormat::ElastoDyn && description.foundation.floating().is_none() {
@@ -217,8 +216,8 @@ impl TowerInput {
         })
     }
 
-    /// The damping ratios that a tower file of ElastoDyn made of this tower has: those of the
-    /// tower file that it was read from, otherwise 1 %.
+    /// The damping ratios for an ElastoDyn tower file made from this tower: those of the tower file
+    /// that was read, otherwise 1 %.
     pub fn damping_for_tower_file(&self) -> Damping {
         let given = self.modal_values.as_ref();
         given.map_or(Damping::Written(1.0), |values| {
@@ -226,13 +225,13 @@ impl TowerInput {
         })
     }
 
-    /// The notes on a tower file made of this tower: on gravity, and on the tuners.
+    /// The notes on a tower file made from this tower: on gravity, and on the tuners.
     pub fn notes_on_tower_file(&self) -> Vec<Note> {
         let notes = [self.note_on_shapes(), self.note_on_written_tuners()];
         notes.into_iter().flatten().collect()
     }
 
-    /// The note that the tuners of the tower file that was read are 1 in one that is written.
+    /// The note that the tuners of the tower file that was read are 1 in a newly written one.
     fn note_on_written_tuners(&self) -> Option<Note> {
         let values = self.modal_values.as_ref()?;
         let [fore_aft, side_side] = [values.tuners.fore_aft, values.tuners.side_side];
@@ -260,8 +259,8 @@ impl TowerInput {
         Some((&source.name, line))
     }
 
-    /// The setting by name, such as `rna.mass=360000`, to which a value is due; none for a value
-    /// of a file.
+    /// The setting by name that determines a value, such as `rna.mass=360000`; none for a value of
+    /// a file.
     pub fn setting_of(&self, place: Place) -> Option<&str> {
         let (file, span) = self.places.own(place)?;
         let settings = self.settings.get(file.checked_sub(self.sources.len())?)?;
@@ -278,30 +277,30 @@ impl TowerInput {
             .map(|blade| blade.tip_radius_m)
     }
 
-    /// The files it was read from, the main one first.
+    /// The files that were read, the main one first.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.sources.iter().map(|source| source.name.as_str())
     }
 
-    /// As above, with their texts.
+    /// The files that were read, with their texts.
     pub fn sources(&self) -> &[Source] {
         &self.sources
     }
 }
 
-/// Values of a tower file of ElastoDyn that describe the modes and not the tower.
+/// Values of an ElastoDyn tower file that describe the modes instead of the tower.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ModalValues {
     /// Structural damping of the first and second mode, percent of critical.
     pub(crate) damping_percent: Planes<[f64; 2]>,
-    /// Factors of their modal stiffnesses.
+    /// Factors on their modal stiffnesses.
     pub(crate) tuners: Planes<[f64; 2]>,
 }
 
 /// The layout of results that a BModes deck prescribes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OutLayout {
-    /// The length that deflections are divided by, m: the radius with the draft, if it is
+    /// The length by which deflections are divided, m: the radius plus the draft, if it is
     /// prescribed.
     pub radius_m: Option<f64>,
     /// Whether tabs separate the columns (`TabDelim`).
@@ -310,35 +309,35 @@ pub struct OutLayout {
     pub mid_node_twist: bool,
 }
 
-/// Options for reading files that leave a choice.
+/// Options for reading files whose format leaves a choice.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ReadOptions {
-    /// Whether a BModes deck is understood as BModes 3.00 does, its faults included.
+    /// Whether a BModes deck is interpreted as by BModes 3.00, including its errors.
     pub bmodes_quirks: bool,
     /// Height of the tower's top above ground or sea level, m, for files that do not give it.
     pub tower_height_m: Option<f64>,
     /// Height of the tower's base above ground or sea level, m, for files that do not give it; by
     /// default 0.
     pub tower_base_m: Option<f64>,
-    /// Whether the rotor-nacelle assembly is left out; files that only describe it are not needed
-    /// then.
+    /// Whether the rotor-nacelle assembly is omitted; files that describe only this are then not
+    /// needed.
     pub without_rna: bool,
     /// The part of a turbine.
     pub part: TowerPart,
-    /// The set and the subset in it of a structural file of HAWC2, by their numbers; the first ones
-    /// by default.
+    /// The numbers of the set and of the subset in a structural file of HAWC2; by default the first
+    /// ones.
     pub hawc2_subset: Option<(usize, usize)>,
     /// The state of the rotor of an ElastoDyn model: parked or free.
     pub rotor: RotorLock,
-    /// Whether gravity is left out, even if the file has it.
+    /// Whether gravity is omitted, even if the file has it.
     pub without_gravity: bool,
-    /// Whether a tower of OpenFAST is clamped at its base, even if the files of the structure below
-    /// it are there.
+    /// Whether a tower of OpenFAST is clamped at its base, even if there are files of the structure
+    /// below it.
     pub clamped: bool,
     /// Whether the mooring lines of a floating platform have their stiffness at the equilibrium
-    /// instead of the reference position, even if the file does not say so.
+    /// instead of the reference position, even if the file does not request this.
     pub at_equilibrium: bool,
-    /// Where the members of the floating platform of a windIO file end.
+    /// Ends of the members of the floating platform of a windIO file.
     pub member_ends: MemberEnds,
 }
 
@@ -346,10 +345,10 @@ pub struct ReadOptions {
 /// nacelle about the shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RotorLock {
-    /// It moves with the nacelle, as with a brake on the shaft.
+    /// The rotor moves with the nacelle, as with a brake on the shaft.
     #[default]
     Locked,
-    /// It turns freely: no torque acts on the shaft.
+    /// The rotor rotates freely: no torque acts on the shaft.
     Free,
 }
 
@@ -371,12 +370,12 @@ impl Default for ReadOptions {
     }
 }
 
-/// Where members of the floating platform of a windIO file end that begin or end at the axis of
-/// another member. The file does not say it.
+/// Ends of the members of the floating platform of a windIO file that the file lets begin or end at
+/// the axis of another member. The file does not contain this choice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MemberEnds {
-    /// At the surface of the other member, unless the ballast balances the platform better with
-    /// whole members.
+    /// At the surface of the other member, unless the sum of weight, buoyancy and mooring force is
+    /// closer to zero with members that end at the axis.
     #[default]
     Balance,
     /// At the surface of the other member, as in WISDEM.
@@ -391,9 +390,9 @@ pub enum TowerPart {
     /// The tower, on its monopile if there is one.
     #[default]
     All,
-    /// The tower alone, from its own base.
+    /// Only the tower, from its own base.
     Tower,
-    /// The monopile alone.
+    /// Only the monopile.
     Monopile,
 }
 
@@ -406,14 +405,14 @@ pub struct BladeInput {
     pub modes: usize,
     /// The layout of results that the file prescribes.
     pub layout: OutLayout,
-    /// Notes on what the reader decided, left out or could not take over.
+    /// Notes on decisions of the reader and on omitted or unusable data.
     pub notes: Vec<Note>,
     /// The files, the main one first.
     pub(crate) sources: Vec<Source>,
 }
 
 impl BladeInput {
-    /// The files it was read from, the main one first.
+    /// The files that were read, the main one first.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.sources.iter().map(|source| source.name.as_str())
     }

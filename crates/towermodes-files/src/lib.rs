@@ -1,8 +1,8 @@
 //! Reads towers from files of towermodes and of other programs; writes towers and results.
 //!
 //! [`read_tower`] reads the tower of any file: the TOML of this program, decks of BModes, main and
-//! tower files of ElastoDyn, turbines in windIO, structural files of HAWC2. [`read()`] reads
-//! rotating blades and substructures too and takes options.
+//! tower files of ElastoDyn, turbines in windIO, structural files of HAWC2. [`read()`] also reads
+//! rotating blades and substructures and takes options.
 //!
 //! A mistake in a file is a [`Diagnostic`]: its place, its [kind](DiagnosticKind) with the numbers,
 //! and a suggestion. [`ReadError`] contains all of them and is a [`std::error::Error`]. An

@@ -1,4 +1,4 @@
-//! Measured frequencies and the numbers that they are to explain, as a file describes them.
+//! Measured frequencies and the input values to be fitted to them, as a file describes them.
 //!
 //! ```toml
 //! [calibrate.unknowns]
@@ -25,16 +25,16 @@ pub struct MeasuredFile {
     pub unknowns: Vec<NamedUnknown>,
     /// The measurements, in the order of the file.
     pub measured: Vec<MeasuredMode>,
-    /// The file, for messages.
+    /// The calibration file, for messages.
     pub source: Source,
 }
 
-/// A number that is to be found.
+/// An input value to be fitted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedUnknown {
     /// The name of the change.
     pub name: Placed<String>,
-    /// Mean and standard deviation, if they are known without the measurements.
+    /// Mean and standard deviation, if they are known independently of the measurements.
     pub prior: Option<[f64; 2]>,
     /// The lowest and the highest value.
     pub bounds: Option<[f64; 2]>,
@@ -49,8 +49,9 @@ pub struct MeasuredMode {
     pub frequency_hz: f64,
     /// Standard deviation, Hz.
     pub deviation_hz: f64,
-    /// Rows of height, m, fore-aft and side-side displacement in any scale; may be empty.
+    /// Rows of height, m, fore-aft and side-side displacement, with any common factor; may be
+    /// empty.
     pub shape: Vec<[f64; 3]>,
-    /// The bytes of the table in the file.
+    /// The byte range of the table in the file.
     pub span: Range<usize>,
 }

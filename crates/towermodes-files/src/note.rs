@@ -1,4 +1,4 @@
-//! Notes: what a reader or writer decided, left out or changed.
+//! Notes: decisions, omissions and changes by a reader or writer.
 
 use std::fmt;
 
@@ -20,11 +20,11 @@ pub enum NoteKind {
     /// A part of the turbine that the model lacks: the result may be that of another tower than
     /// the user expects.
     MissingPart,
-    /// How the rotor is held on its shaft where the rotor-nacelle assembly is one rigid body; not
-    /// relevant to a turbine whose rotor turns.
+    /// The state of the rotor on its shaft if the rotor-nacelle assembly is one rigid body; not
+    /// relevant to a turbine with rotating rotor.
     RigidRotor,
-    /// A value that the program of this format treats in another way, by an error of that program
-    /// or by its assumptions.
+    /// A value that the program of this format treats differently, because of an error or an
+    /// assumption of that program.
     Compatibility,
     /// A value that looks wrong.
     Suspicious,
@@ -35,9 +35,9 @@ pub enum NoteKind {
 pub struct Note {
     /// Its kind.
     pub kind: NoteKind,
-    /// The sentence, with the numbers.
+    /// The message, with the numbers.
     pub message: String,
-    /// The file and the line (from 1), if the note is on one.
+    /// The file and the line (from 1), if the note is about a line.
     pub place: Option<(String, usize)>,
 }
 
@@ -91,7 +91,7 @@ impl Note {
         Self::of(NoteKind::Suspicious, message)
     }
 
-    /// The same note on a byte of a file.
+    /// The note with the place of a byte of a file.
     #[must_use]
     pub fn at(mut self, source: &Source, byte: usize) -> Self {
         let (line, _) = line_and_column(&source.text, byte);
@@ -99,9 +99,9 @@ impl Note {
         self
     }
 
-    /// Whether the user should check something or may give more: an assumption, a part that the
-    /// model lacks, a value that looks wrong. Other notes say how a file is read, and nobody can
-    /// change that.
+    /// Whether the user should check a value or may give more data: an assumption, a part that the
+    /// model lacks, a value that looks wrong. Other notes state how a file is read, which the user
+    /// cannot change.
     pub fn is_warning(&self) -> bool {
         match self.kind {
             NoteKind::Assumption | NoteKind::MissingPart | NoteKind::Suspicious => true,
@@ -113,7 +113,7 @@ impl Note {
         }
     }
 
-    /// Whether it is on a part of the turbine that the model lacks.
+    /// Whether it is about a part of the turbine that the model lacks.
     pub fn is_on_missing_part(&self) -> bool {
         self.kind == NoteKind::MissingPart
     }
@@ -131,9 +131,9 @@ impl fmt::Display for Note {
 /// Notes on a rotor and its blades.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct RotorNotes {
-    /// On its operating speeds: not relevant where other speeds are given.
+    /// Notes on its operating speeds, which are not relevant if other speeds are given.
     pub speeds: Vec<Note>,
-    /// On the number of its blades: not relevant where another number is given.
+    /// Notes on the number of its blades, which are not relevant if another number is given.
     pub blades: Vec<Note>,
     /// All others.
     pub others: Vec<Note>,
@@ -145,7 +145,7 @@ impl RotorNotes {
         self.of_rotor().chain(&self.others)
     }
 
-    /// Notes on its speeds and the number of its blades, which hold wherever the rotor is used.
+    /// Notes on its speeds and the number of its blades, which apply whenever the rotor is used.
     pub fn of_rotor(&self) -> impl Iterator<Item = &Note> {
         self.speeds.iter().chain(&self.blades)
     }

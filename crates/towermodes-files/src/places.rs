@@ -8,14 +8,14 @@ use towermodes::{Place, TowerError};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// The key under which the span of a whole table is remembered, for values that it does not
+/// The key under which the byte range of a whole table is stored, for values that it does not
 /// contain.
 pub(crate) const TABLE: &str = "";
 
-/// A kind of parts by their indices, and the bytes of each in a file.
+/// A kind of parts by their indices, and the byte range of each in a file.
 pub(crate) type Rows<'a, P> = (fn(usize) -> P, &'a [Range<usize>]);
 
-/// The bytes of each part of some kinds.
+/// The byte range of each part of some kinds.
 pub(crate) fn of_rows<'a, P: 'a>(
     kinds: impl IntoIterator<Item = Rows<'a, P>>,
 ) -> impl Iterator<Item = (P, Range<usize>)> {
@@ -38,9 +38,9 @@ impl Places {
         self.spans.insert(place, (file, span));
     }
 
-    /// A mistake that the tower's own checks found: the file it is in, and where there. Hints that
-    /// speak of the keys of TOML, or of heights in its datum, are for TOML and for numbers that
-    /// were set by name; these come after the first `files` files.
+    /// A mistake found by the tower's own checks: its file, and its place there. Hints that mention
+    /// keys of TOML, or heights in its datum, apply to TOML and to input values that were set by
+    /// name, whose files come after the first `files` files.
     pub(crate) fn mistake(
         &self,
         error: &TowerError,
@@ -65,7 +65,7 @@ impl Places {
         (file, diagnostic)
     }
 
-    /// The place of a value; for a missing value that of its table, or of the stations.
+    /// The place of a value; for a missing value the place of its table, or of the stations.
     fn find(&self, place: Place) -> (usize, Range<usize>) {
         let found = self.own(place).or_else(|| self.spans.get(&Place::Stations));
         found.cloned().unwrap_or((0, 0..0))
@@ -83,7 +83,7 @@ impl Places {
     }
 }
 
-/// The place of the whole table that a value belongs to, if it is remembered.
+/// The place of the whole table that a value belongs to, if it is stored.
 fn table_of(place: Place) -> Place {
     let key = TABLE;
     match place {

@@ -4,21 +4,21 @@ use towermodes::{Method, Options};
 
 use crate::note::Note;
 
-/// Options that a file prescribes for the solution of its tower: a BModes deck its method, its
-/// elements and its number of modes; other files none.
+/// Options that a file prescribes for the solution of its tower: a BModes deck prescribes its
+/// method, its elements and its number of modes; other files nothing.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Prescribed {
-    /// The method that the file is made for, if any.
+    /// The method for which the file is made, if any.
     pub method: Option<Method>,
-    /// The element borders for the finite elements of BModes, m in the datum of the stations.
+    /// The element boundaries for the finite elements of BModes, m in the datum of the stations.
     pub borders_m: Option<Vec<f64>>,
     /// The number of modes.
     pub modes: Option<usize>,
 }
 
 impl Prescribed {
-    /// The options of a solve: those given, else those of the file, else the default. The elements
-    /// of the file hold for the method `bmodes` without a number of segments.
+    /// The options of a solve: the given ones, otherwise those of the file, otherwise the default.
+    /// The elements of the file apply to the method `bmodes` without a number of segments.
     pub fn options(&self, method: Option<Method>, segments: Option<usize>) -> Options {
         let default = Options::default();
         let method = method.or(self.method).unwrap_or_default();

@@ -21,7 +21,7 @@ use crate::toml::read_toml;
 use crate::turbine::as_rigid_body;
 use crate::windio::read_windio;
 
-/// The note that there is no rotor-nacelle assembly to leave out.
+/// The note that there is no rotor-nacelle assembly to omit.
 pub const NOTHING_LEFT_OUT: &str = "the file has no rotor-nacelle assembly: --no-rna has no effect";
 
 /// The object that a file describes.
@@ -37,7 +37,7 @@ pub enum Input {
     Mooring(Box<MooringInput>),
 }
 
-/// A tower that is ready to be solved, and the input it was made of.
+/// A tower that is ready to be solved, and the input from which it was made.
 #[derive(Debug, Clone)]
 pub struct Reading {
     /// The tower, checked.
@@ -97,7 +97,7 @@ impl TowerInput {
     /// Checks the description: the tower together with this input.
     ///
     /// # Errors
-    /// [`ReadError::Mistakes`] at the place of what no tower can have.
+    /// [`ReadError::Mistakes`] at the place of a value that is impossible for a tower.
     pub fn check(self) -> Result<Reading, ReadError> {
         let tower = self.tower()?;
         Ok(Reading { tower, input: self })
@@ -112,7 +112,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Input, ReadError> {
     read_source(Source::from_path(path)?, &SiblingFiles::of(path), options)
 }
 
-/// Reads a file whose text is known; `files` gives the files that it names.
+/// Reads a file whose text is given; `files` gives the files that it names.
 ///
 /// # Errors
 /// [`ReadError`].
@@ -156,8 +156,9 @@ fn mooring(input: Result<MooringInput, ReadError>) -> Result<Input, ReadError> {
     input.map(|input| Input::Mooring(Box::new(input)))
 }
 
-/// Refuses to take gravity from a floating tower: its buoyancy, the stiffness of its water plane
-/// and the weight of its lines are gravity too, and without them nothing holds it.
+/// Refuses to omit the gravity of a floating tower: buoyancy, the stiffness of the water plane and
+/// the weight of the lines exist only with gravity, and without them the tower has no restoring
+/// stiffness.
 fn check_stands(tower: &TowerInput) -> Result<(), ReadError> {
     if tower.description.foundation.floating().is_none() {
         return Ok(());
@@ -169,7 +170,7 @@ fn check_stands(tower: &TowerInput) -> Result<(), ReadError> {
     Err(ReadError::mistakes(&tower.sources[0], vec![mistake]))
 }
 
-/// Gives mooring lines their stiffness at the equilibrium.
+/// Changes the stiffness of mooring lines to that at the equilibrium.
 fn put_at_equilibrium(tower: &mut TowerInput) -> Result<(), ReadError> {
     match tower.description.foundation.floating_mut() {
         Some(platform) if platform.mooring_lines.is_some() => {
@@ -186,7 +187,7 @@ fn put_at_equilibrium(tower: &mut TowerInput) -> Result<(), ReadError> {
     }
 }
 
-/// The tower of a tower file with its rotor free, if the options say so.
+/// The tower of a tower file with free rotor, if the options request this.
 fn with_rotor(mut tower: TowerInput, options: &ReadOptions) -> Result<TowerInput, ReadError> {
     if options.rotor == RotorLock::Locked || options.without_rna {
         return Ok(tower);
@@ -213,7 +214,7 @@ fn with_rotor(mut tower: TowerInput, options: &ReadOptions) -> Result<TowerInput
     Ok(tower)
 }
 
-/// The same for a tower file with a turbine.
+/// The tower of a tower file with a turbine, with free rotor.
 fn with_free_turbine(mut tower: TowerInput) -> Result<TowerInput, ReadError> {
     let Some(turbine) = &mut tower.turbine else {
         return Ok(tower);

@@ -6,7 +6,7 @@ use crate::input::FileFormat;
 use crate::source::Source;
 use crate::{bmodes, elastodyn, hawc2, mooring, subdyn, windio};
 
-/// The endings of names that show the format.
+/// The file extensions that determine the format.
 const ENDINGS: [(&str, FileFormat); 4] = [
     (".toml", FileFormat::Toml),
     (".bmi", FileFormat::Bmodes),
@@ -78,8 +78,8 @@ pub(crate) fn unknown_file(source: &Source) -> ReadError {
     ReadError::mistake(source, mistake.with_hint(hint))
 }
 
-/// Words near the beginning of files that are a part of a model, the name of the part, and what to
-/// give instead.
+/// Words near the beginning of files that are a part of a model, the name of the part, and the file
+/// to give instead.
 const PARTS: [(&str, &str, &str); 6] = [
     (
         "nblinpst",
@@ -109,7 +109,7 @@ const PARTS: [(&str, &str, &str); 6] = [
     ),
 ];
 
-/// The part of a model that a file is, and what to give instead.
+/// The part of a model that the file describes, and the file to give instead.
 fn part_of(text: &str) -> Option<(&'static str, &'static str)> {
     let beginning: String = text.lines().take(25).collect::<Vec<_>>().join("\n");
     let beginning = beginning.to_lowercase();

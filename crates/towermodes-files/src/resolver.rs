@@ -9,20 +9,19 @@ use crate::source::{FileError, Source};
 /// Gives the text of the files that a main file names: section tables of BModes decks, tower and
 /// blade files of ElastoDyn, station tables of tower files.
 pub trait FileResolver {
-    /// The file that the main file calls `path`; either kind of slash separates folders.
+    /// The file that the main file calls `path`; both kinds of slash separate folders.
     ///
     /// # Errors
     /// [`FileError`].
     fn read(&self, path: &str) -> Result<Source, FileError>;
 
-    /// Whether files are in folders: without folders, files are found by their names alone, and no
-    /// note says so.
+    /// Whether files are in folders; if not, files are found only by their names, without a note.
     fn has_folders(&self) -> bool {
         true
     }
 }
 
-/// A path that is relative to a folder, as seen from where the folder is.
+/// A path relative to a folder, expressed relative to the folder of that folder.
 pub(crate) fn beside(folder: &str, path: &str) -> String {
     if is_absolute(path) || folder.is_empty() {
         path.to_owned()
@@ -31,8 +30,8 @@ pub(crate) fn beside(folder: &str, path: &str) -> String {
     }
 }
 
-/// The folder of a file that was found by this path, as seen from where the path was: that of the
-/// path, or none if it was found elsewhere, by its name alone.
+/// The folder of a file that was found by this path: the folder of the path, or none if the file
+/// was found elsewhere by its name.
 pub(crate) fn folder_of<'a>(path: &'a str, found: &Source) -> &'a str {
     let slash = path
         .rfind(['/', '\\'])
@@ -40,8 +39,8 @@ pub(crate) fn folder_of<'a>(path: &'a str, found: &Source) -> &'a str {
     slash.map_or("", |slash| &path[..slash])
 }
 
-/// The note that the folder of a path, which `key` gives, does not have the file, if another one
-/// of the same name was found.
+/// The note that the file is not in the folder of the path that `key` gives, if another file of the
+/// same name was found.
 pub(crate) fn found_elsewhere(
     files: &dyn FileResolver,
     key: &str,
@@ -54,7 +53,7 @@ pub(crate) fn found_elsewhere(
     (files.has_folders() && is_elsewhere(path, found)).then(|| Note::new(message))
 }
 
-/// Whether a file was found at another place than at its path.
+/// Whether a file was found at another place than its path.
 fn is_elsewhere(path: &str, found: &Source) -> bool {
     let parts = |path: &str| -> Vec<String> {
         let parts = path.split(['/', '\\']);
@@ -64,7 +63,7 @@ fn is_elsewhere(path: &str, found: &Source) -> bool {
     !is_absolute(path) && !parts(&found.name).ends_with(&parts(path))
 }
 
-/// Whether a path is absolute, here or on Windows.
+/// Whether a path is absolute on this system or on Windows.
 fn is_absolute(path: &str) -> bool {
     path.starts_with(['/', '\\']) || path.chars().nth(1) == Some(':')
 }
@@ -76,18 +75,18 @@ pub struct SiblingFiles {
 }
 
 impl SiblingFiles {
-    /// The files beside a main file.
+    /// The files relative to the folder of a main file.
     pub fn of(main: &Path) -> Self {
         let folder = main.parent().map(Path::to_path_buf).unwrap_or_default();
         Self { folder }
     }
 
     /// The location of the file that the main file refers to as `path`. Three places are tried: the
-    /// path relative to the folder of the main file; the file name alone in that folder, because
-    /// decks are often copied without their subfolders; the path relative to the current folder.
-    /// If none of them exists, the first one is searched with other capital letters, because decks
-    /// written on Windows do not distinguish them. Of an absolute path of another machine the
-    /// folders are left out one by one, from the left.
+    /// path relative to the folder of the main file; the file name in that folder, because decks
+    /// are often copied without their subfolders; the path relative to the current folder. If none
+    /// of them exists, the first one is searched without regard to case, because decks written on
+    /// Windows do not distinguish it. For an absolute path of another machine the leading folders
+    /// are omitted one by one.
     pub fn path(&self, path: &str) -> PathBuf {
         let relative: PathBuf = path.split(['/', '\\']).collect();
         let relative = if path.starts_with('/') {
@@ -104,7 +103,7 @@ impl SiblingFiles {
         found.unwrap_or(named)
     }
 
-    /// The file at the longest end of an absolute path that there is in the folder.
+    /// The file at the longest trailing part of an absolute path that exists in the folder.
     fn end_of(&self, path: &str, relative: &Path) -> Option<PathBuf> {
         if !is_absolute(path) {
             return None;
@@ -118,8 +117,8 @@ impl SiblingFiles {
     }
 }
 
-/// The file at a path relative to a folder whose names may differ in capital letters; the first one
-/// in the order of their names.
+/// The file at a path relative to a folder, without regard to the case of names; of several the
+/// first in alphabetical order.
 fn ignoring_case(folder: &Path, relative: &Path) -> Option<PathBuf> {
     let mut found = folder.to_path_buf();
     for part in relative.components() {

@@ -1,4 +1,4 @@
-//! Numbers of a tower that are set by name after its file is read, such as `rna.mass=360000`.
+//! Input values of a tower that are set by name after its file is read, such as `rna.mass=360000`.
 
 use std::fmt;
 use std::str::FromStr;
@@ -30,7 +30,7 @@ pub struct Setting {
     text: String,
 }
 
-/// Why a number cannot be set.
+/// Why an input value cannot be set.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SettingError {
@@ -45,7 +45,7 @@ pub enum SettingError {
     NotNumber {
         /// The name.
         name: String,
-        /// The text in place of a number.
+        /// The text found instead of a number.
         found: String,
         /// The suggestion.
         remedy: String,
@@ -58,7 +58,7 @@ pub enum SettingError {
         /// The value.
         value: f64,
     },
-    /// The tower has no such number, or two settings contradict each other.
+    /// The tower has no such input value, or two settings contradict each other.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
 }
@@ -81,7 +81,7 @@ impl Setting {
         self.value
     }
 
-    /// The value as it is written.
+    /// The value as written.
     fn written(&self) -> &str {
         self.text
             .rsplit_once('=')
@@ -144,10 +144,11 @@ fn remedy(value: &str) -> String {
 }
 
 impl TowerInput {
-    /// Sets numbers by name, each with a note. `by` is what sets them, such as `--set`: errors and
-    /// warnings on a changed number refer to the line of its setting under this name.
+    /// Sets input values by name, each with a note. `by` is the origin of the settings, such as
+    /// `--set`: errors and warnings about a changed input value refer to the line of its setting
+    /// under this name.
     ///
-    /// The borders of the elements of a BModes deck are dropped if heights change.
+    /// The element boundaries of a BModes deck are dropped if heights change.
     ///
     /// # Errors
     /// [`SettingError`]; then nothing is changed. Whether the tower is possible is checked by
@@ -196,7 +197,7 @@ impl TowerInput {
         Ok(())
     }
 
-    /// Puts the places of the changed numbers into a text with a line for each setting.
+    /// Stores the places of the changed input values in a text with a line for each setting.
     fn remember_settings(&mut self, changes: &[Change], settings: &[Setting], by: &str) {
         if settings.is_empty() {
             return;
@@ -254,7 +255,7 @@ fn note(change: &Change, setting: &Setting, by: &str, towers: [&TowerDescription
     Note::new(format!("{name}{value}{result}; the file has {before}"))
 }
 
-/// Numbers of several units have no common range.
+/// The note for input values of several units, which have no common range.
 fn of_several_units(change: &Change, setting: &Setting, by: &str) -> Note {
     let (name, count) = (change.name(), change.parameters().len());
     let value = Plain(setting.value);

@@ -6,12 +6,12 @@ use std::path::Path;
 
 use thiserror::Error;
 
-/// Larger files are refused: a tower takes kilobytes, and an endless stream must not fill the
+/// Larger files are refused: a tower needs kilobytes, and an endless stream must not use up the
 /// memory.
 pub const MAX_FILE_BYTES: u64 = 64 << 20;
 
-/// The beginning of a pointer to a file that is stored elsewhere, what stores the file, and how to
-/// get it.
+/// The beginning of a pointer to a file that is stored elsewhere, the system that stores the file,
+/// and how to get it.
 const POINTERS: [(&str, &str, &str); 2] = [
     (
         "version https://git-lfs.github.com/spec/",
@@ -34,19 +34,19 @@ pub struct Source {
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum FileError {
-    /// It does not exist.
+    /// The file does not exist.
     #[error("{name}: no such file")]
     Missing {
         /// The path.
         name: String,
     },
-    /// It is a directory.
+    /// The path is a directory.
     #[error("{name}: is a directory, not a file")]
     Directory {
         /// The path.
         name: String,
     },
-    /// It is a pipe, a socket or a device, whose reading might never end.
+    /// The path is a pipe, a socket or a device, which might never end.
     #[error("{name}: is {kind}, not a regular file")]
     Special {
         /// The path.
@@ -54,13 +54,13 @@ pub enum FileError {
         /// Its kind: `a named pipe`, `a socket` or `a device`.
         kind: &'static str,
     },
-    /// It is too large.
+    /// The file is too large.
     #[error("{name}: larger than {} MiB, more than any tower needs", MAX_FILE_BYTES >> 20)]
     TooLarge {
         /// The path.
         name: String,
     },
-    /// It is a pointer to a file that is stored elsewhere.
+    /// The file is a pointer to a file that is stored elsewhere.
     #[error("{name}: this is a {system} pointer, not the file itself; {remedy}")]
     Pointer {
         /// The path.
@@ -70,13 +70,13 @@ pub enum FileError {
         /// How the user can get the file.
         remedy: &'static str,
     },
-    /// It is a web page, as saved from a repository viewer.
+    /// The file is a web page, for example saved from a repository viewer.
     #[error("{name}: this is a web page (HTML), not the file itself; download the raw file")]
     WebPage {
         /// The path.
         name: String,
     },
-    /// It is not text.
+    /// The file is not text.
     #[error(
         "{name}: not a text file (the byte at offset {byte} is not a character in UTF-8 or Latin-1); save it as UTF-8"
     )]
@@ -86,7 +86,7 @@ pub enum FileError {
         /// Index of the first byte that is not UTF-8.
         byte: usize,
     },
-    /// The system refused.
+    /// The operating system reported an error.
     #[error("{name}: {error}")]
     System {
         /// The path.
@@ -155,7 +155,8 @@ impl Source {
         Self::from_bytes(name, bytes)
     }
 
-    /// The text of a file whose bytes are known, in UTF-8, Latin-1, or UTF-16 with a mark.
+    /// The text of a file whose bytes are given, in UTF-8, Latin-1, or UTF-16 with a byte order
+    /// mark.
     ///
     /// # Errors
     /// [`FileError`].
@@ -206,8 +207,8 @@ impl Source {
     }
 }
 
-/// Whether a path names a descriptor that the program has open already, so that opening it does not
-/// wait.
+/// Whether a path names a descriptor that the program has already open, so that opening it does not
+/// block.
 fn is_open_descriptor(path: &Path) -> bool {
     let folders = ["/dev/fd", "/proc/self/fd"];
     path == Path::new("/dev/stdin") || folders.iter().any(|folder| path.starts_with(folder))
@@ -268,7 +269,8 @@ fn utf16(bytes: &[u8]) -> Option<String> {
     text.filter(|text| odd.is_empty() && !text.contains('\0'))
 }
 
-/// A text whose lines end in a carriage return alone, with line feeds in their place.
+/// A text in which line feeds replace carriage returns, if its lines end with a carriage return
+/// alone.
 fn with_line_feeds(text: String) -> String {
     match text.contains('\r') && !text.contains('\n') {
         true => text.replace('\r', "\n"),
@@ -276,7 +278,7 @@ fn with_line_feeds(text: String) -> String {
     }
 }
 
-/// The bytes of a text that was made of a file with these bytes, in the encoding of that file.
+/// The bytes of a text in the encoding of the file from which it was read.
 pub fn encoded_as(text: &str, original: &[u8]) -> Vec<u8> {
     if std::str::from_utf8(original).is_ok() {
         return text.as_bytes().to_vec();

@@ -1,4 +1,4 @@
-//! The study of a sweep: which towers are solved, as the table `[sweep]` of a file describes it.
+//! The sweep study: the towers to be solved, as the table `[sweep]` of a file describes them.
 //!
 //! ```toml
 //! [sweep]
@@ -15,7 +15,7 @@
 //! modes = 4
 //! ```
 //!
-//! The types are plain data; [`Sampling`] has the rules for its numbers.
+//! The types are plain data; [`Sampling`] has the rules for its values.
 
 use std::ops::Range;
 
@@ -36,16 +36,16 @@ pub struct SweepStudy {
     pub rows: SweepRows,
     /// The results that are computed and written for each row.
     pub results: SweepResults,
-    /// The study's own file, for messages.
+    /// The sweep study, for messages.
     pub source: Source,
 }
 
-/// A value and its bytes in the file of the study.
+/// A value and its byte range in the study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placed<T> {
     /// The value.
     pub value: T,
-    /// Its bytes.
+    /// Its byte range.
     pub span: Range<usize>,
 }
 
@@ -56,11 +56,11 @@ pub enum SweepRows {
     Table(Placed<String>),
     /// Values drawn from distributions.
     Sampled {
-        /// The rule.
+        /// The sampling rule.
         sampling: Sampling,
-        /// The bytes of each name in [`Sampling::vary`].
+        /// The byte range of each name in [`Sampling::vary`].
         spans: Vec<Range<usize>>,
-        /// The bytes of each of [`Sampling::correlations`].
+        /// The byte range of each entry of [`Sampling::correlations`].
         correlation_spans: Vec<Range<usize>>,
     },
 }
@@ -68,11 +68,11 @@ pub enum SweepRows {
 /// The results that are computed and written for each row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SweepResults {
-    /// The modes that have columns.
+    /// The modes whose results are columns.
     pub modes: SweepModes,
-    /// Number of segments or elements; `None` is the default of a sweep.
+    /// Number of segments or elements; `None` for the default of a sweep.
     pub segments: Option<usize>,
-    /// The method; `None` is that of the base, as `solve` takes it.
+    /// The method; `None` for the default of `solve` for the base.
     pub method: Option<Method>,
     /// Whether sections have rotary inertia in bending.
     pub rotary_inertia: bool,
@@ -92,12 +92,12 @@ impl Default for SweepResults {
     }
 }
 
-/// The modes that have columns.
+/// The modes whose results are columns.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SweepModes {
-    /// Those that are the lowest of the base, by name.
+    /// This number of modes, the lowest of the base, by name.
     Lowest(usize),
-    /// These.
+    /// The modes with these names.
     Named(Vec<ModeName>),
 }
 

@@ -8,13 +8,13 @@ use crate::error::ReadError;
 use crate::input::{RotorLock, TowerInput};
 use crate::note::Note;
 
-/// More sections than any table of a blade has; each is the border of an element.
+/// Largest number of blade sections; each is the boundary of an element.
 pub(crate) const MOST_SECTIONS: usize = 1000;
 
-/// A blade with fewer sections is divided into this number of elements too.
+/// A blade with fewer sections is divided into this number of elements.
 const ELEMENTS: usize = 10;
 
-/// The borders of a blade's elements beside its sections, which are all borders.
+/// The boundaries of a blade's elements that are added to its sections, which are all boundaries.
 pub(crate) fn blade_borders(sections: &[BladeSection]) -> Vec<f64> {
     let parts = if sections.len() > ELEMENTS {
         1
@@ -24,7 +24,7 @@ pub(crate) fn blade_borders(sections: &[BladeSection]) -> Vec<f64> {
     (0..=parts).map(|k| k as f64 / parts as f64).collect()
 }
 
-/// A turbine with its notes, or why there is none.
+/// A turbine with its notes, or the reason why there is none.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct TurbineReading {
     pub(crate) description: Option<TurbineDescription>,
@@ -33,7 +33,7 @@ pub(crate) struct TurbineReading {
 }
 
 impl TurbineReading {
-    /// No turbine, for a reason.
+    /// No turbine, for this reason.
     pub(crate) fn missing(reason: Note) -> Self {
         Self {
             missing: Some(reason),
@@ -55,8 +55,9 @@ impl TurbineReading {
     }
 }
 
-/// A turbine as the rigid body that a tower carries, whose generator rolls with the nacelle about
-/// the shaft if the rotor is locked; if it is free, only so much of both as does not turn away.
+/// A turbine as the rigid body on a tower. With a locked rotor, rotor and generator roll with the
+/// nacelle about the shaft; with a free rotor only the part of their inertia that acts on the
+/// nacelle is included.
 pub(crate) fn as_rigid_body(
     turbine: &TurbineDescription,
     lock: RotorLock,
@@ -86,7 +87,7 @@ pub(crate) fn as_rigid_body(
     Ok(RigidBody::combined(&[body, tilted]).into())
 }
 
-/// Rotor and generator about the shaft.
+/// The drivetrain made from rotor and generator about the shaft.
 fn drivetrain(turbine: &TurbineDescription) -> Result<Drivetrain, TurbineError> {
     let rotor = TurbineDescription {
         nacelle: RigidBody::default(),
@@ -103,10 +104,10 @@ fn drivetrain(turbine: &TurbineDescription) -> Result<Drivetrain, TurbineError> 
     })
 }
 
-/// Equal but for the rounding of sums.
+/// Numbers count as equal if they differ by at most this rounding error of sums.
 const ROUNDED: f64 = 1e-11;
 
-/// Whether a rotor-nacelle assembly is a turbine as a rigid body.
+/// Whether a rotor-nacelle assembly is the rigid body of a turbine.
 pub(crate) fn is_rigid_body_of(turbine: &TurbineDescription, rna: &Rna) -> bool {
     let Ok(own) = as_rigid_body(turbine, RotorLock::Locked) else {
         return false;
@@ -134,11 +135,11 @@ pub(crate) fn is_rigid_body_of(turbine: &TurbineDescription, rna: &Rna) -> bool 
 }
 
 impl TowerInput {
-    /// The turbine on its tower, in place of the rotor-nacelle assembly as a rigid body; none if
-    /// the files have none, or none that can be solved ([`Self::turbine_missing`]).
+    /// The turbine on its tower, in place of the rigid rotor-nacelle assembly; none if the files
+    /// have none, or none that can be solved ([`Self::turbine_missing`]).
     ///
     /// # Errors
-    /// [`ReadError::Mistakes`] at the place of what no tower can have.
+    /// [`ReadError::Mistakes`] at the place of a value that is impossible for a tower.
     ///
     /// # Example
     /// ```
@@ -162,7 +163,7 @@ impl TowerInput {
         })
     }
 
-    /// Keeps what a reader found of the turbine.
+    /// Stores the turbine that a reader found, or why there is none.
     pub(crate) fn with_turbine(mut self, reading: TurbineReading) -> Self {
         self.turbine = reading.description;
         self.turbine_missing = reading.missing;
@@ -170,7 +171,7 @@ impl TowerInput {
         self
     }
 
-    /// Takes the turbine away, for a reason if there was one.
+    /// Removes the turbine, and stores the reason if there was one.
     pub(crate) fn remove_turbine(&mut self, reason: Option<Note>) {
         self.turbine_notes.clear();
         if self.turbine.take().is_some() || reason.is_none() {

@@ -837,7 +837,7 @@ fn speeds_of_version_1_are_in_the_unit_that_the_tips_allow() {
         [1.0, 1.26],
     );
     let notes = assert_rotor(&with("", radians), 3, [0.5 * factor, 0.8 * factor]);
-    notes[0].says("rotor_diameter, which would show it, is missing");
+    notes[0].says("which cannot be checked because rotor_diameter is missing");
     // So do files that say version 2 and have the older keys.
     let newer = format!(
         "{VERSION_2}assembly: {{number_of_blades: 3, rotor_diameter: 240}}\ncontrol: {{torque: {turns}}}\n"

@@ -1,4 +1,4 @@
-//! Two descriptions of one tower compared, and one summarised.
+//! The comparison of two descriptions of a tower, and the summary of one.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Results that the package shows as the program does: a table, JSON, CSV, a picture, sentences.
+//! Results in the forms of the program: a table, JSON, CSV, a picture, sentences.
 
 use pyo3::prelude::*;
 use towermodes_files::ResultError;
@@ -7,13 +7,13 @@ use crate::error::of_result;
 
 /// A result of the library with its notes and warnings.
 pub trait Shown: Send + Sync + 'static {
-    /// The table of the program.
+    /// The table, as the program writes it.
     fn table(&self) -> String;
 
-    /// The JSON of the program.
+    /// The JSON, as the program writes it.
     fn json(&self, out: &mut Vec<u8>) -> Result<(), ResultError>;
 
-    /// The CSV of the program; nothing if there is none.
+    /// The CSV, as the program writes it; nothing if there is none.
     fn csv(&self, _out: &mut Vec<u8>) -> Result<(), ResultError> {
         Ok(())
     }
@@ -33,7 +33,7 @@ pub trait Shown: Send + Sync + 'static {
         Vec::new()
     }
 
-    /// The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
+    /// The worst verdict: `pass`, `warn`, `fail`, or `undecided` if nothing is checked.
     fn verdict(&self) -> &'static str {
         ""
     }
@@ -49,7 +49,7 @@ pub trait Shown: Send + Sync + 'static {
     }
 }
 
-/// A result as the program shows it.
+/// A result in the forms of the program.
 #[pyclass(frozen, module = "towermodes._towermodes")]
 pub struct Answer(Box<dyn Shown>);
 
@@ -61,17 +61,17 @@ impl Answer {
 
 #[pymethods]
 impl Answer {
-    /// The table of the program.
+    /// The table, as the program writes it.
     pub fn table(&self) -> String {
         self.0.table()
     }
 
-    /// The JSON of the program.
+    /// The JSON, as the program writes it.
     pub fn json(&self) -> PyResult<String> {
         text(|out| self.0.json(out))
     }
 
-    /// The CSV of the program; nothing if there is none.
+    /// The CSV, as the program writes it; nothing if there is none.
     pub fn csv(&self) -> PyResult<String> {
         text(|out| self.0.csv(out))
     }
@@ -93,7 +93,7 @@ impl Answer {
         self.0.warnings()
     }
 
-    /// The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
+    /// The worst verdict: `pass`, `warn`, `fail`, or `undecided` if nothing is checked.
     #[getter]
     pub fn verdict(&self) -> &'static str {
         self.0.verdict()

@@ -1,10 +1,10 @@
-//! Numbers as NumPy arrays, which cannot be written: results do not change.
+//! Numbers as read-only NumPy arrays, so that results cannot be changed.
 
 use numpy::ndarray::Dimension;
 use numpy::{Element, PyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 
-/// An array of one axis.
+/// A one-dimensional array.
 pub fn vector(py: Python<'_>, values: impl IntoIterator<Item = f64>) -> Bound<'_, PyArray1<f64>> {
     constant(PyArray1::from_vec(py, values.into_iter().collect()))
 }

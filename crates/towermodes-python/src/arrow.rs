@@ -1,7 +1,7 @@
-//! Tables by the Arrow PyCapsule interface, in and out.
+//! Tables that are read and written by the Arrow PyCapsule interface.
 //!
-//! The capsules hold the structures of the Arrow C stream interface, which every library of tables
-//! has; nothing here depends on which one it is.
+//! The capsules contain the structures of the Arrow C stream interface, which all usual table
+//! libraries support; the code here depends on none of them.
 
 #![allow(unsafe_code)]
 
@@ -35,8 +35,8 @@ const STREAM: &CStr = c"arrow_array_stream";
 /// A column of numbers with its name.
 type NamedColumn<'py> = (String, Bound<'py, PyArray1<f64>>);
 
-/// The columns of a table as numbers; a missing value is NaN. A function of all names gives the
-/// places of the columns that are read.
+/// The columns of a table as numbers; a missing value is NaN. The given function receives all names
+/// and returns the positions of the columns to read.
 #[pyfunction]
 #[pyo3(signature = (capsule: "object", choose: "object") -> "list[tuple[str, Incomplete]]")]
 pub fn columns_of_stream<'py>(
@@ -121,9 +121,9 @@ fn of_type<T: ArrowPrimitiveType>(
     Some(())
 }
 
-/// A table of results as a stream: the number of each row, the inputs, the mass, whether it is
-/// certified, frequency, error and share of each mode, and why a row failed. A number that is NaN
-/// is missing.
+/// A table of results as a stream: the number of each row, the inputs, the mass, whether the row is
+/// certified, frequency, error and share of each mode, and the reason why a row failed. NaN is
+/// written as a missing value.
 #[pyfunction]
 #[pyo3(signature = (first_row, inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", share: "object", failures: "tuple[object, object, object]") -> "object")]
 #[allow(clippy::too_many_arguments)]
@@ -165,14 +165,15 @@ pub fn stream_of_results<'py>(
     PyCapsule::new_with_value(py, table.stream()?, STREAM)
 }
 
-/// Rows that failed; where the message of each ends in the text of all; this text in UTF-8.
+/// The rows that failed; the end of the message of each row in the text of all messages; this text
+/// in UTF-8.
 type Failures<'py> = (
     PyReadonlyArray1<'py, u64>,
     PyReadonlyArray1<'py, u64>,
     PyReadonlyArray1<'py, u8>,
 );
 
-/// The message of each row, none for a row that is complete.
+/// The message of each row; none if a row is complete.
 fn sentences(rows: Range<u64>, (failed, ends, text): &Failures<'_>) -> PyResult<StringArray> {
     let text = text.as_slice()?;
     if i32::try_from(text.len()).is_err() {
@@ -198,8 +199,8 @@ fn sentences(rows: Range<u64>, (failed, ends, text): &Failures<'_>) -> PyResult<
     Ok(column.finish())
 }
 
-/// A table of texts and numbers as a stream: first the columns of texts. A number that is NaN is
-/// missing.
+/// A table of texts and numbers as a stream, with the columns of texts first. NaN is written as a
+/// missing value.
 #[pyfunction]
 #[pyo3(signature = (texts: "list[tuple[str, list[str]]]", numbers: "list[tuple[str, Incomplete]]") -> "object")]
 pub fn stream_of_columns<'py>(

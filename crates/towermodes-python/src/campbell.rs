@@ -29,7 +29,7 @@ struct Campbell {
     notes: Vec<Note>,
 }
 
-/// Rotor data in place of those of the file, and the margin.
+/// Rotor data that replace those of the file, and the margin.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct RotorOptions {
@@ -42,8 +42,9 @@ pub struct RotorOptions {
 }
 
 impl RotorOptions {
-    /// The rotor, with the data of the file where none are given; without operating speeds the ends
-    /// of the diagram, from a solution of the tower with a rigid rotor.
+    /// The rotor: the given data, and data of the file for those that are not given. Without
+    /// operating speeds they are the ends of the diagram, computed for the tower with a rigid
+    /// rotor.
     pub fn rotor<E>(
         &self,
         input: &TowerInput,

@@ -1,4 +1,4 @@
-//! Methods compared on one tower.
+//! Comparison of methods on one tower.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -17,16 +17,17 @@ use crate::model::Model;
 use crate::options::method_named;
 use crate::tower::Tower;
 
-/// The shortest of several solves is taken as the time of one, as long as they take less than this.
+/// A method is repeated until the total time exceeds this duration; the shortest time of a
+/// repetition counts.
 const TIMING: Duration = Duration::from_millis(20);
 
-/// Several methods compared on one tower.
+/// The comparison of several methods on one tower.
 struct Comparison {
     model: Arc<Model>,
     comparison: Compared,
 }
 
-/// The time of the fastest of several solves.
+/// The shortest time of several repetitions.
 fn time_of(tower: &CheckedTower, options: &Options) -> Duration {
     let mut solver = Solver::new(options.clone());
     let started = Instant::now();
@@ -99,7 +100,7 @@ impl Shown for Comparison {
         self.model.notes()
     }
 
-    /// Warnings of the reference solution, and on methods that lack modes.
+    /// Warnings of the reference solution, and warnings on methods with missing modes.
     fn warnings(&self) -> Vec<String> {
         self.model.located(&self.comparison.warnings)
     }

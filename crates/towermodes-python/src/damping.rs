@@ -24,7 +24,7 @@ struct Damping {
     notes: Vec<Note>,
 }
 
-/// Damping data in place of those of the file.
+/// Damping data that replace those of the file.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct DampingOptions {

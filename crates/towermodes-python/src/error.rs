@@ -20,17 +20,18 @@ use towermodes_sweep::{Remedy, SliceError, TableError, TableProblem, number_at};
 
 use crate::lock::attached;
 
-/// Where the exceptions are defined.
+/// The module that defines the exceptions.
 const MODULE: &str = "towermodes._errors";
 
 /// ENOENT and EISDIR, which are the same on all systems.
 const NO_ENTRY: i32 = 2;
 const IS_DIRECTORY: i32 = 21;
 
-/// A mistake as Python has it: line, column, message, hint.
+/// A mistake as Python receives it: line, column, message, hint.
 type Mistake = (Option<usize>, Option<usize>, String, Option<String>);
 
-/// The name of a text that the package made itself: its lines mean nothing to the user.
+/// The name of a text that the package has generated itself: its line numbers are of no use to the
+/// user.
 pub const MADE_HERE: &str = "<description>";
 
 fn class<'py>(
@@ -60,7 +61,7 @@ fn tower_error(message: &str, path: Option<&str>, hint: Option<&str>, list: Vec<
     })
 }
 
-/// A file without a valid tower.
+/// The exception for a file without a valid tower.
 pub fn of_read(error: ReadError) -> PyErr {
     match error {
         ReadError::Unreadable(error) => of_file(error),
@@ -79,7 +80,8 @@ pub fn of_read(error: ReadError) -> PyErr {
     }
 }
 
-/// The text of an error. A mistake in a dict has the name of its entry in place of line and column.
+/// The text of an error. For a mistake in a dict it states the name of the entry instead of line
+/// and column.
 pub fn said(error: &ReadError) -> String {
     match error {
         ReadError::Mistakes {
@@ -94,8 +96,8 @@ pub fn said(error: &ReadError) -> String {
     }
 }
 
-/// A mistake with the name of its entry, as `rna.inertia.zz: ...`. The keys of the table `[tower]`
-/// are arguments of their own.
+/// A mistake with the name of its entry, for example `rna.inertia.zz: ...`. The keys of the table
+/// `[tower]` are separate arguments.
 fn of_entry(mistake: &Diagnostic, text: &str) -> String {
     match entry_at(text, mistake.span.start) {
         Some(entry) => {
@@ -134,7 +136,8 @@ fn of_file(error: FileError) -> PyErr {
     }
 }
 
-/// An error of the system on a file; Python chooses the class of the exception by the number.
+/// The exception for an error of the operating system on a file; Python chooses the class of the
+/// exception by the error number.
 fn of_system(error: &io::Error, file: &str, otherwise: &str) -> PyErr {
     let Some(number) = error.raw_os_error() else {
         return PyOSError::new_err(otherwise.to_owned());
@@ -146,7 +149,7 @@ fn of_system(error: &io::Error, file: &str, otherwise: &str) -> PyErr {
     PyOSError::new_err((number, text, file.to_owned()))
 }
 
-/// A table with mistakes, or rows that it does not have.
+/// The exception for a table with mistakes, or for rows that the table does not have.
 pub fn of_slice(error: SliceError) -> PyErr {
     let message = match error.remedy().map(argument_for) {
         Some(remedy) => format!("{error}; {remedy}"),
@@ -161,7 +164,7 @@ pub fn of_slice(error: SliceError) -> PyErr {
     }
 }
 
-/// The argument of `sweep` that is a remedy.
+/// The argument of `sweep` that corresponds to a remedy.
 fn argument_for(remedy: Remedy) -> String {
     match remedy {
         Remedy::IgnoreColumn { name } => {
@@ -171,7 +174,7 @@ fn argument_for(remedy: Remedy) -> String {
     }
 }
 
-/// An invalid description, without a file.
+/// The exception for an invalid description that is not from a file.
 pub fn of_tower(error: &TowerError) -> PyErr {
     let message = format!("{}: {}", error.place, error.problem);
     tower_error(&message, None, error.hint(), Vec::new())
@@ -191,17 +194,17 @@ pub fn of_numbers(error: &TowerError, input: &TowerInput) -> PyErr {
     }
 }
 
-/// A tower that a computation or a format refuses.
+/// The exception for a tower that a computation or a format does not accept.
 pub fn refused(error: &impl ToString) -> PyErr {
     tower_error(&error.to_string(), None, None, Vec::new())
 }
 
-/// A wrong argument.
+/// The exception for a wrong argument.
 pub fn usage(message: impl Into<String>) -> PyErr {
     PyValueError::new_err(message.into())
 }
 
-/// A tower that is not solved.
+/// The exception for a tower that cannot be solved.
 pub fn of_solve(error: &SolveError) -> PyErr {
     static OF_OPTIONS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     let (message, hint) = (error.to_string(), hint(error));
@@ -211,7 +214,8 @@ pub fn of_solve(error: &SolveError) -> PyErr {
     }
 }
 
-/// An error with warnings as notes of the exception, which a traceback shows: they may explain it.
+/// An exception with warnings as its notes, which a traceback shows, because the warnings may
+/// explain the error.
 pub fn explained(error: PyErr, warnings: &[String]) -> PyErr {
     attached(|py| {
         for warning in warnings {
@@ -223,7 +227,7 @@ pub fn explained(error: PyErr, warnings: &[String]) -> PyErr {
     error
 }
 
-/// A turbine that is not solved.
+/// The exception for a turbine that cannot be solved.
 pub fn of_turbine(error: &TurbineError) -> PyErr {
     match error {
         TurbineError::Limit { .. } | TurbineError::Speed { .. } => usage(error.to_string()),
@@ -232,7 +236,7 @@ pub fn of_turbine(error: &TurbineError) -> PyErr {
     }
 }
 
-/// A coupled diagram that cannot be computed.
+/// The exception for a coupled diagram that cannot be computed.
 pub fn of_coupled(error: &CoupledError) -> PyErr {
     match error {
         CoupledError::Options(inner) => of_campbell(inner),
@@ -242,13 +246,13 @@ pub fn of_coupled(error: &CoupledError) -> PyErr {
     }
 }
 
-/// A design or a calibration without a solution.
+/// The exception for a design or a calibration without a solution.
 pub fn unsolved(message: &str, hint: Option<&str>) -> PyErr {
     static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     attached(|py| raised(class(py, &CLASS, "SolveError"), (message, hint)))
 }
 
-/// The remedy, with arguments of Python in place of options of the program.
+/// The remedy, with arguments of Python instead of options of the command line.
 fn hint(error: &SolveError) -> Option<&'static str> {
     match error {
         SolveError::TooManyModes { .. } => {
@@ -258,7 +262,7 @@ fn hint(error: &SolveError) -> Option<&'static str> {
             Some("reduce modes or segments, or give limits=False")
         }
         SolveError::Buckles { .. } => Some(
-            "reduce the mass, increase the diameter or the wall thickness (of a substructure check supports, sections and marine growth), or leave out gravity",
+            "reduce the mass, increase the diameter or the wall thickness (for a substructure check supports, sections and marine growth), or leave out gravity",
         ),
         SolveError::Eigen(EigenError::TooStiff | EigenError::NotFinite) => remedy(error),
         SolveError::Eigen(_) => Some("reduce modes, or check the units of all values"),
@@ -266,7 +270,7 @@ fn hint(error: &SolveError) -> Option<&'static str> {
     }
 }
 
-/// A Campbell diagram that cannot be computed.
+/// The exception for a Campbell diagram that cannot be computed.
 pub fn of_campbell(error: &CampbellError) -> PyErr {
     match error {
         CampbellError::Blade { error: inner, .. } if !inner.is_usage() => of_solve(inner),
@@ -275,7 +279,7 @@ pub fn of_campbell(error: &CampbellError) -> PyErr {
     }
 }
 
-/// Two towers that cannot be compared.
+/// The exception for two towers that cannot be compared.
 pub fn of_agreement(error: &AgreementError) -> PyErr {
     match error {
         AgreementError::Solve { error, .. } => of_solve(error),
@@ -283,7 +287,7 @@ pub fn of_agreement(error: &AgreementError) -> PyErr {
     }
 }
 
-/// A tower that cannot be written in a format.
+/// The exception for a tower that cannot be written in a format.
 pub fn of_convert(error: ConvertError) -> PyErr {
     match error {
         ConvertError::Input(error) => of_read(error),
@@ -292,7 +296,7 @@ pub fn of_convert(error: ConvertError) -> PyErr {
     }
 }
 
-/// A result that cannot be written.
+/// The exception for a result that cannot be written.
 pub fn of_result(error: &ResultError) -> PyErr {
     PyOSError::new_err(error.to_string())
 }

@@ -1,5 +1,5 @@
-//! Towers with computed input values: a light tower within bands of frequencies, and the tower that
-//! has the measured frequencies.
+//! Towers with computed input values: the lightest tower that a design finds within frequency
+//! bands, and the tower of a calibration to measured frequencies.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -40,25 +40,25 @@ pub struct Found {
 
 #[pymethods]
 impl Found {
-    /// The tower with the values found.
+    /// The tower with the computed values.
     #[getter]
     fn tower(&self) -> Tower {
         let model = Arc::clone(&self.model);
         Tower { model }
     }
 
-    /// The table of the program.
+    /// The table, as the program writes it.
     fn table(&self) -> &str {
         &self.table
     }
 
-    /// The JSON of the program.
+    /// The JSON, as the program writes it.
     fn json(&self) -> String {
         String::from_utf8_lossy(&self.json).into_owned()
     }
 }
 
-/// The tower that a study finds.
+/// The tower that a design computes.
 #[pyfunction]
 #[pyo3(signature = (tower, text, name, *, progress = None))]
 pub fn design(

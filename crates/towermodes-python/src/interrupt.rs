@@ -1,4 +1,4 @@
-//! Computations without the interpreter lock that Ctrl-C ends.
+//! Computations without the interpreter lock that Ctrl-C interrupts.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::time::{Duration, Instant};
@@ -8,19 +8,19 @@ use towermodes::{Options, Progress, Solver, Stage};
 
 use crate::lock::{attached, released};
 
-/// Time between two looks for a signal.
+/// Time between two checks for signals.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
 
-/// Time between two calls of a function of Python.
+/// Time between two calls of a Python function.
 pub const BETWEEN_REPORTS: Duration = Duration::from_secs(1);
 
-/// The exception of a signal handler, on its way out of a computation.
+/// The exception of a signal handler, while it unwinds a computation.
 struct Interrupted(PyErr);
 
 /// Runs a computation without the interpreter lock; other Python threads run meanwhile.
 ///
-/// The computation reports its progress to this function, which looks for signals. There is no
-/// other way out of it than unwinding; its memory is released on the way.
+/// The computation reports its progress to this function, which checks for signals. It can be
+/// interrupted only by unwinding, which releases its memory.
 ///
 /// # Errors
 /// The exception of a signal handler: `KeyboardInterrupt`.
@@ -34,9 +34,8 @@ pub fn interruptible<T: Send>(
     })
 }
 
-/// Runs a computation that solves many towers without the lock. A function of Python is called
-/// about once a second with the number of towers that are solved; its exceptions end the
-/// computation too.
+/// Runs a computation of many towers without the interpreter lock. A Python function is called
+/// about once a second with the number of solved towers; its exceptions end the computation too.
 ///
 /// # Errors
 /// The exception of a signal handler or of the function.
@@ -73,7 +72,8 @@ fn interrupted(exception: PyErr) -> ! {
     resume_unwind(Box::new(Interrupted(exception)))
 }
 
-/// Runs a computation without the lock and gives it the function that looks for signals.
+/// Runs a computation without the interpreter lock; the computation receives the function that
+/// checks for signals.
 ///
 /// # Errors
 /// The exception of a signal handler: `KeyboardInterrupt`.
@@ -87,7 +87,7 @@ pub fn looking<T: Send>(py: Python<'_>, work: impl FnOnce(Look) -> T + Send) -> 
     })
 }
 
-/// Looks for signals, if it has not just done so.
+/// Checks for signals, unless the last check was a short time ago.
 pub type Look = Box<dyn FnMut() + Send + Sync>;
 
 fn watch() -> Look {

@@ -1,7 +1,7 @@
-//! The Python package's module in Rust: classes and functions that wrap the library.
+//! The Rust module of the Python package: classes and functions that wrap the library.
 //!
-//! Everything here is for `python/towermodes`, which gives it names, defaults, types and
-//! documentation for users.
+//! The items of this module are used only by `python/towermodes`, which adds names, defaults, types
+//! and documentation for users.
 
 mod agreement;
 mod answer;

@@ -1,9 +1,10 @@
-//! The interpreter lock, released for computations and taken back.
+//! The interpreter lock, which is released during computations and acquired again.
 //!
-//! When the interpreter ends, CPython before 3.14 ends every other thread that comes back for the
-//! lock: it unwinds the stack of the thread, which may not have frames of Rust (they crash, or
-//! abort the process). So after [`close`], which Python calls at its exit, no other thread comes
-//! back or runs Python from here: it sleeps until the process ends, as CPython 3.14 lets it.
+//! When the interpreter ends, CPython before 3.14 ends every other thread that tries to acquire the
+//! lock again: it unwinds the stack of the thread, which crashes or aborts the process if the stack
+//! has frames of Rust. Therefore, after [`close`], which Python calls at its exit, no other thread
+//! of this module acquires the lock or runs Python: it sleeps until the process ends, as in CPython
+//! 3.14.
 
 use std::cell::Cell;
 use std::sync::OnceLock;
@@ -13,22 +14,22 @@ use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
 
-/// How long the exit waits for busy threads. They take some milliseconds, so this is reached only
-/// in the child of a fork, which lacks the threads that were counted.
+/// The longest time that the exit waits for busy threads. They take some milliseconds; the limit is
+/// reached only in the child of a fork, where the counted threads do not exist.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Whether the interpreter ends.
+/// Whether the interpreter is ending.
 static CLOSED: AtomicBool = AtomicBool::new(false);
-/// The thread that ends it, which may go on.
+/// The thread that ends the interpreter, which may continue to run Python.
 static CLOSING: OnceLock<ThreadId> = OnceLock::new();
-/// Number of threads that wait for the lock, or run Python from here.
+/// Number of threads of this module that wait for the lock or run Python.
 static BUSY: AtomicUsize = AtomicUsize::new(0);
 
-/// A thread that waits for the lock or runs Python from here.
+/// A thread of this module that waits for the lock or runs Python.
 struct Busy;
 
 impl Busy {
-    /// Counts this thread; none if the interpreter ends, and the thread must stop.
+    /// Counts this thread; none if the interpreter is ending and the thread must stop.
     fn new() -> Option<Self> {
         // Counted before the look: `close` sees this thread, or this thread sees that it is closed.
         BUSY.fetch_add(1, Ordering::SeqCst);
@@ -57,7 +58,7 @@ thread_local! {
     static IS_RELEASED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// The lock of this thread as released or not, until the end of a block.
+/// Marks the lock as released or not released by this thread, until the end of a block.
 struct Released(bool);
 
 impl Released {
@@ -84,7 +85,7 @@ pub fn released<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> T {
     result
 }
 
-/// Runs Python, also in the middle of a computation without the lock.
+/// Runs Python, also during a computation without the lock.
 pub fn attached<T>(run: impl FnOnce(Python<'_>) -> T) -> T {
     if IS_RELEASED.get() {
         let _busy = Busy::new().unwrap_or_else(|| stop());

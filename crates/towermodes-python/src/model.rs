@@ -51,8 +51,8 @@ impl Model {
         titled(figure, &self.tower, &words).to_svg(Look::Standalone)
     }
 
-    /// Warnings, with file and line of the input if they are known, else with the name of the
-    /// number.
+    /// Warnings with file and line of the input if these are known, otherwise with the name of the
+    /// input value.
     pub fn located(&self, warnings: &[Warning]) -> Vec<String> {
         let located = |warning: &Warning| {
             let line = warning.place().and_then(|place| self.input.line_of(place));
@@ -69,7 +69,7 @@ impl Model {
         warnings.iter().map(located).collect()
     }
 
-    /// The error of this tower, if it is not solved, with the warnings on unusual input.
+    /// The exception if this tower cannot be solved, with the warnings on unusual input.
     pub fn unsolved(&self, error: &SolveError) -> PyErr {
         explained(of_solve(error), &self.located(self.tower.warnings()))
     }

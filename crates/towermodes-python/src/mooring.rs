@@ -1,4 +1,4 @@
-//! The mooring lines of a file of MoorDyn or MAP++ at rest.
+//! The static equilibrium of the mooring lines of a MoorDyn or MAP++ file.
 
 use std::path::PathBuf;
 
@@ -14,7 +14,7 @@ use crate::answer::{Answer, Shown};
 use crate::error::{of_read, usage};
 use crate::lock::released;
 
-/// A mooring system at rest.
+/// A mooring system in static equilibrium.
 struct AtRest {
     mooring: Mooring,
     state: MooringState,
@@ -60,7 +60,7 @@ impl Shown for AtRest {
     }
 }
 
-/// The lines of a file of MoorDyn or MAP++ at the reference position of the platform.
+/// The lines of a MoorDyn or MAP++ file at the reference position of the platform.
 #[pyfunction]
 #[pyo3(signature = (path: "str"))]
 pub fn solve_mooring(py: Python<'_>, path: PathBuf) -> PyResult<Answer> {

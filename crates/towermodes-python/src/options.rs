@@ -7,7 +7,8 @@ use towermodes_files::TowerInput;
 
 use crate::error::usage;
 
-/// Options of the solution; for an option that is none the file decides, otherwise the library.
+/// Options of the solution; an option that is none has the value of the file, or the default of the
+/// library.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct SolveOptions {
@@ -25,7 +26,8 @@ pub struct SolveOptions {
 
 /// The method with this name.
 ///
-/// # Errors `ValueError` with the valid names.
+/// # Errors
+/// `ValueError` with the valid names.
 pub fn method_named(name: &str) -> PyResult<Method> {
     Method::named(name).ok_or_else(|| {
         let names = Method::ALL.map(Method::name).join(", ");
@@ -34,7 +36,8 @@ pub fn method_named(name: &str) -> PyResult<Method> {
 }
 
 impl SolveOptions {
-    /// The options for a tower: those given, else those of its file, else the default.
+    /// The options for a tower: the given ones, otherwise those of its file, otherwise the
+    /// defaults.
     ///
     /// # Errors
     /// `ValueError` for an unknown method, or an option that does not apply to it.

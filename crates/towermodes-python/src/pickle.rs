@@ -1,8 +1,8 @@
 //! The state of a tower as Python values, for pickles.
 //!
-//! The description is stored as the text of a tower file, which is read back number by number; what
-//! such a file does not hold is beside it. The places of the values in the original files are not
-//! kept.
+//! The description is stored as the text of a tower file, which is read back with exactly the same
+//! values; other data are stored with this text. The places of the values in the original files are
+//! not stored.
 
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -20,18 +20,18 @@ pub const PICKLED: &str = "<pickle>.toml";
 /// The kind, the sentence and the place of a note.
 type NoteState = (u8, String, Option<(String, usize)>);
 
-/// Notes on speeds, on blades, and others.
+/// Notes on rotor speeds, notes on blades, and other notes.
 type RotorState = (Vec<NoteState>, Vec<NoteState>, Vec<NoteState>);
 
-/// Name; radii of hub and tip, speed and pitch; sections; borders; body at the tip; whether the
-/// rotation pulls it.
+/// Name; radii of hub and tip, rotor speed and pitch angle; sections; element boundaries; body at
+/// the tip; whether the centrifugal force acts on this body.
 type BladeState = (String, [f64; 4], Vec<[f64; 11]>, Vec<f64>, [f64; 10], bool);
 
 /// Method, modes, blades.
 type Prescribed = (Option<String>, Option<usize>, Option<usize>);
 
-/// Whether the moments of inertia of the assembly are partial, and whether the stiffness of the
-/// moorings was computed.
+/// Whether only some moments of inertia of the assembly are given, and whether the mooring
+/// stiffness was computed.
 type Origins = (bool, bool);
 
 /// Text of the tower file, format, notes, rotor notes, prescribed options, element borders, joint

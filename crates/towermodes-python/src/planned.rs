@@ -31,7 +31,7 @@ pub struct Planned {
 /// The sweep of a table in a file.
 ///
 /// # Errors
-/// `ValueError` or `OSError` with what is wrong with the table.
+/// `ValueError` or `OSError` with the mistake in the table.
 pub fn of_table(
     input: &TowerInput,
     table: &Path,
@@ -48,10 +48,11 @@ pub fn of_table(
     })
 }
 
-/// The sweep of a study, of the tower that it names or of another one, with the files that it
-/// names, which are relative to it.
+/// The sweep of a study, for the tower that it names or for another one. Names of files in the
+/// study are relative to its own path.
 ///
-/// # Errors `TowerError` with the mistakes of the study and of the tower; errors of [`of_table`].
+/// # Errors
+/// `TowerError` with the mistakes of the study and of the tower; errors of [`of_table`].
 pub fn of_study(
     study: &Source,
     tower: Option<&TowerInput>,

@@ -6,7 +6,8 @@ use pyo3::prelude::*;
 
 use crate::lock::released;
 
-/// Runs the program with the words of a command line, its own name first; returns its exit code.
+/// Runs the program with the words of a command line, the first of which is the name of the
+/// program; returns the exit code.
 #[pyfunction]
 #[pyo3(signature = (words: "list[str]") -> "int")]
 pub fn run(py: Python<'_>, words: Vec<OsString>) -> u8 {

@@ -44,7 +44,7 @@ pub fn read(py: Python<'_>, path: PathBuf, options: Reading) -> PyResult<Tower> 
     Tower::of_input(input)
 }
 
-/// The tower of a text in any format; `name` stands for the name of the file.
+/// The tower of a text in any format; `name` is used as the name of the file.
 #[pyfunction]
 #[pyo3(signature = (text, name))]
 pub fn read_text(text: String, name: String) -> PyResult<Tower> {

@@ -14,8 +14,9 @@ use crate::tower::Tower;
 /// Name, unit and value of each change.
 type Varied = Vec<(String, &'static str, f64)>;
 
-/// The changes; the modes and their frequencies; the derivatives, their errors and elasticities
-/// (changes, modes); those of the mass; why a derivative is missing (change, mode, sentence).
+/// The changes; the modes and their frequencies; the derivatives, their errors and the elasticities
+/// (changes, modes); the derivatives of the mass; the reasons for missing derivatives (change,
+/// mode, sentence).
 type Derived<'py> = (
     Varied,
     Names,

@@ -31,7 +31,7 @@ impl Solution {
         self.solution.modes.iter()
     }
 
-    /// A number of each mode.
+    /// A quantity of each mode.
     fn of_each<'py>(
         &self,
         py: Python<'py>,
@@ -121,20 +121,21 @@ impl Solution {
         self.of_each(py, |mode| mode.modal_mass)
     }
 
-    /// Effective modal masses: (modes, 6).
+    /// Effective modal masses: shape (modes, 6).
     #[getter]
     fn effective_mass<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         array::rows(py, self.modes().map(|mode| mode.effective_mass))
     }
 
-    /// Sums of the effective masses as fractions of the totals: (6). None if they do not add up.
+    /// Sums of the effective masses as fractions of the totals: shape (6). None if there is no such
+    /// sum.
     #[getter]
     fn effective_mass_shares<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
         let shares = self.solution.effective_mass_shares()?;
         Some(array::vector(py, shares))
     }
 
-    /// Inertia of the whole tower against rigid motions about its base: (6, 6).
+    /// Rigid-body inertia matrix of the whole tower about its base: shape (6, 6).
     #[getter]
     fn rigid_inertia<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         array::rows(py, self.solution.rigid_inertia.into_iter())
@@ -232,7 +233,8 @@ impl Solution {
         self.solution.degrees_of_freedom
     }
 
-    /// Whether no mode is missing, the number of modes counted, and up to which frequency, Hz.
+    /// Whether no mode is missing, the number of counted modes, and the frequency up to which they
+    /// are counted, Hz.
     #[getter]
     fn certificate(&self) -> (bool, usize, f64) {
         let certificate = &self.solution.certificate;
@@ -250,7 +252,7 @@ impl Solution {
         ends.map(|[from_hz, to_hz]| (from_hz, to_hz))
     }
 
-    /// The factor on gravity at which the tower buckles.
+    /// The factor on the acceleration of gravity at which the tower buckles.
     #[getter]
     fn buckling_load_factor(&self) -> Option<f64> {
         self.solution.buckling_load_factor

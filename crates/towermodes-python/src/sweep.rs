@@ -48,7 +48,8 @@ impl Default for SweepOptions {
 /// Family, order and column name of each mode.
 pub type Names = Vec<(&'static str, usize, String)>;
 
-/// Rows that failed; where the message of each ends in the text of all; this text in UTF-8.
+/// The rows that failed; the end of the message of each row in the text of all messages; this text
+/// in UTF-8.
 type Failed<'py> = (
     Bound<'py, PyArray1<u64>>,
     Bound<'py, PyArray1<u64>>,
@@ -58,7 +59,7 @@ type Failed<'py> = (
 /// Number of rows with remarks, and the first remarks.
 type Remarks = (u64, Vec<(u64, String)>);
 
-/// Modes, frequencies, errors and shares (rows, modes), masses, certified, failures; rows with
+/// Modes, frequencies, errors and shares (rows, modes), masses, certificates, failures; rows with
 /// unusual input, and rows with coupled motions.
 type Solved<'py> = (
     Names,
@@ -103,8 +104,8 @@ pub fn sweep<'py>(
 }
 
 impl SweepOptions {
-    /// The requested modes and the method: these options, else the options of a study or the
-    /// defaults.
+    /// The requested modes and the method: from these options, otherwise from the study, otherwise
+    /// the defaults.
     ///
     /// # Errors
     /// `ValueError` for an unknown mode or method.
@@ -148,7 +149,7 @@ impl SweepOptions {
     }
 }
 
-/// A sweep that cannot begin.
+/// The exception for a sweep that cannot begin.
 pub fn refused(error: SweepError) -> PyErr {
     match error {
         SweepError::Base(error) => of_tower(&error),
@@ -157,8 +158,8 @@ pub fn refused(error: SweepError) -> PyErr {
     }
 }
 
-/// Runs the sweep; Ctrl-C ends it, and so does an exception of a function of Python that is called
-/// about once a second with the number of rows that are done and of all.
+/// Runs the sweep. Ctrl-C ends it, and so does an exception of the Python function that is called
+/// about once a second with the number of finished rows and of all rows.
 fn solve(
     sweep: &Sweep,
     columns: &Columns<'_>,
@@ -191,7 +192,7 @@ fn solve(
     }
 }
 
-/// Looks for a signal: the exception of its handler ends a sweep.
+/// Checks for a signal: the exception of its handler ends a sweep.
 fn look(interrupted: &mut Option<PyErr>) -> ControlFlow<()> {
     match attached(|py| py.check_signals()) {
         Ok(()) => ControlFlow::Continue(()),
@@ -216,14 +217,15 @@ pub fn mode_names(modes: &[ModeName]) -> Names {
     modes.iter().map(name).collect()
 }
 
-/// The failures without an object for each, which would need more memory than the results.
+/// The failures without a Python object for each row, which would need more memory than the
+/// results.
 fn failed(py: Python<'_>, failures: FailedRows) -> Failed<'_> {
     let (rows, ends, text) = failures.into_columns();
     let [rows, ends] = [rows, ends].map(|numbers| PyArray1::from_vec(py, numbers));
     (rows, ends, PyArray1::from_vec(py, text))
 }
 
-/// The results as arrays, which take over their memory.
+/// The results as arrays that own their memory without a copy.
 fn arrays(py: Python<'_>, results: Results) -> PyResult<Solved<'_>> {
     let shape = [results.rows(), results.modes.len()];
     Ok((

@@ -1,4 +1,4 @@
-//! A tower, checked and constant.
+//! A validated tower that cannot be changed.
 
 use std::sync::Arc;
 
@@ -20,8 +20,8 @@ use crate::options::SolveOptions;
 use crate::pickle::{restored, state};
 use crate::solution::Solution;
 
-/// Computations with a smaller product of segments and modes end within a tenth of a second, before
-/// anyone can interrupt them. To look for signals costs them a few microseconds.
+/// Computations with a smaller product of the number of segments and modes take less than a tenth
+/// of a second, so they need no interruption; the checks for signals would take some microseconds.
 const SOON: usize = 20_000;
 
 /// Operation, input values and unit of a change.
@@ -30,21 +30,22 @@ type ChangeParts = (&'static str, Vec<(String, f64)>, &'static str);
 /// A tower.
 #[pyclass(frozen, module = "towermodes._towermodes")]
 pub struct Tower {
-    /// Shared with its solutions.
+    /// Its model, shared with its solutions.
     pub model: Arc<Model>,
 }
 
 impl Tower {
     /// The tower of an input.
     ///
-    /// # Errors `TowerError` with the place of an invalid value.
+    /// # Errors
+    /// `TowerError` with the place of an invalid value.
     pub fn of_input(input: TowerInput) -> PyResult<Self> {
         let tower = input.tower().map_err(of_read)?;
         let model = Arc::new(Model { tower, input });
         Ok(Self { model })
     }
 
-    /// A copy with changed input values, whose mistakes have no place in a file.
+    /// A copy with changed input values; mistakes in these have no place in a file.
     ///
     /// # Errors
     /// `TowerError`.
@@ -64,7 +65,7 @@ impl Tower {
         self.model.tower.name()
     }
 
-    /// Base to top, m.
+    /// Height from the base to the top, m.
     #[getter]
     fn height_m(&self) -> f64 {
         self.model.tower.height_m()
@@ -106,7 +107,7 @@ impl Tower {
         self.model.tower.gravity_m_per_s2()
     }
 
-    /// Weights, buoyancy and lines of a floating tower as JSON.
+    /// Weight, buoyancy and mooring forces of a floating tower as JSON.
     fn static_balance(&self) -> PyResult<String> {
         text(|out| write_result_json(&self.model.tower.static_balance(), out))
     }
@@ -266,7 +267,7 @@ impl Tower {
         figures::tower(&input.description, tower).to_svg(Look::Standalone)
     }
 
-    /// Whether both have the same description and the same options for the solution.
+    /// Whether both towers have the same description and the same options of the solution.
     fn is_equal(&self, other: &Self) -> bool {
         let (own, other) = (&self.model.input, &other.model.input);
         own.description == other.description

@@ -1,4 +1,4 @@
-//! The modes of a whole turbine at a speed of its rotor.
+//! The modes of a whole turbine at a rotor speed.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::tower::Tower;
 /// Number of parts with energies.
 const PARTS: usize = 25;
 
-/// The modes of a turbine at a speed.
+/// The modes of a turbine at a rotor speed.
 #[pyclass(frozen, module = "towermodes._towermodes")]
 pub struct TurbineModes {
     model: Arc<Model>,
@@ -26,7 +26,8 @@ pub struct TurbineModes {
 
 /// The turbine of a tower.
 ///
-/// # Errors `ValueError` if there is none.
+/// # Errors
+/// `ValueError` if there is none.
 pub fn turbine_of(model: &Model) -> PyResult<Turbine> {
     let turbine = model.input.whole_turbine().map_err(of_read)?;
     turbine.ok_or_else(|| usage(model.missing_turbine()))
@@ -80,7 +81,7 @@ fn fractions(energy: &TurbineEnergy) -> [f64; PARTS] {
 
 #[pymethods]
 impl TurbineModes {
-    /// The modes of the turbine on a tower below a limit (Hz) at a speed (rpm).
+    /// The modes of the turbine of a tower below a limit (Hz) at a rotor speed (rpm).
     #[new]
     fn new(py: Python<'_>, tower: &Tower, rpm: f64, limit_hz: f64) -> PyResult<Self> {
         let model = Arc::clone(&tower.model);
@@ -90,7 +91,7 @@ impl TurbineModes {
         Ok(Self { model, modes })
     }
 
-    /// The speed, rpm.
+    /// The rotor speed, rpm.
     #[getter]
     fn rotor_speed_rpm(&self) -> f64 {
         self.modes.rotor_speed_rpm
@@ -115,7 +116,7 @@ impl TurbineModes {
         (modes.negative_energy_expected, modes.negative_energy_found)
     }
 
-    /// Least number of unstable modes; 0 if the number is not known.
+    /// Least number of unstable modes; 0 if it is unknown.
     #[getter]
     fn growing(&self) -> usize {
         self.modes.growing
@@ -140,7 +141,7 @@ impl TurbineModes {
         array::rows(py, bounds.map(|of| [of.lower_hz, of.upper_hz]))
     }
 
-    /// Estimated errors of the mesh, Hz; NaN where there is none.
+    /// Estimated discretization errors, Hz; NaN if there is no estimate.
     #[getter]
     fn error_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         self.of_each(py, |mode| mode.discretization_error_hz.unwrap_or(f64::NAN))
@@ -198,7 +199,7 @@ impl TurbineModes {
 }
 
 impl TurbineModes {
-    /// A number of each mode.
+    /// A quantity of each mode.
     fn of_each<'py>(
         &self,
         py: Python<'py>,

@@ -31,7 +31,8 @@ struct TurbineCampbell {
     remarks: Vec<String>,
 }
 
-/// The rotor; its operating speeds are the ends of the given ones if nothing else gives them.
+/// The rotor options; if neither the arguments nor the file give operating speeds, these are the
+/// lowest and the highest speed of the diagram above zero.
 fn rotor_of(
     mut options: RotorOptions,
     input: &TowerInput,

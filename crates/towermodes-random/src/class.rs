@@ -14,13 +14,14 @@ use towermodes_verify::towers::floater;
 pub enum Class {
     /// One tapered tube.
     Plain,
-    /// 8 to 40 cans, each with a wall thickness of its own, with flanges between them.
+    /// 8 to 40 cans with different wall thicknesses, with flanges between them.
     Cans,
     /// Steps in diameter and wall.
     Steps,
     /// Single cones with a taper of up to 100:1, upright or inverted, with a small top mass.
     Cones,
-    /// A rotor-nacelle assembly beside the axis, which couples all motions.
+    /// A rotor-nacelle assembly whose centre of mass is away from the tower axis, which couples all
+    /// motions.
     Eccentric,
     /// On soft springs.
     Soft,
@@ -28,7 +29,8 @@ pub enum Class {
     Soil,
     /// In water, some flooded, some with a table of added mass.
     Water,
-    /// A narrow feature: over 5 mm to 1 m of the height one quantity is much larger or smaller.
+    /// A narrow feature: over 5 mm to 1 m of the height one quantity is much larger or smaller than
+    /// elsewhere.
     Narrow,
     /// Gravity loads 0.01 % to 30 % below buckling.
     Buckling,
@@ -58,7 +60,7 @@ impl Class {
         Self::Tables,
     ];
 
-    /// Its name in tables.
+    /// The name of the class in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Plain => "plain",
@@ -77,7 +79,7 @@ impl Class {
         }
     }
 
-    /// The tower with a number.
+    /// The random tower with this number.
     ///
     /// # Panics
     /// Never: all descriptions of the classes are valid.
@@ -86,7 +88,7 @@ impl Class {
         Tower::new(description).expect("classes make valid towers")
     }
 
-    /// The description of the tower with a number.
+    /// The description of the random tower with this number.
     pub fn description(self, number: u64) -> TowerDescription {
         // Each class has a random sequence of its own.
         let mut seed = Seed::new(number << 8 | self as u64);
@@ -139,7 +141,7 @@ fn soft(seed: &mut Seed) -> TowerDescription {
     }
 }
 
-/// Gravity that loads the tower to slightly below its buckling load.
+/// A tower with an acceleration of gravity slightly below the one at which it buckles.
 fn near_buckling(seed: &mut Seed) -> TowerDescription {
     let pressed = TowerDescription {
         gravity_m_per_s2: 9.81,

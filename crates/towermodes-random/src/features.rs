@@ -8,7 +8,7 @@ use towermodes::{
 use super::seed::Seed;
 use super::tubes::{plain, steel};
 
-/// Puts the lower 10 to 40 m of a tower into soil.
+/// Embeds the lower 10 to 40 m of a tower in soil.
 pub(super) fn in_soil(mut tower: TowerDescription, seed: &mut Seed) -> TowerDescription {
     let depth_m = seed.between(10.0, 40.0);
     for station in &mut tower.stations {
@@ -84,7 +84,7 @@ pub(super) fn in_water(tower: TowerDescription, seed: &mut Seed) -> TowerDescrip
 /// The number of quantities that can have a narrow feature.
 const NARROW: usize = 9;
 
-/// A tower where one quantity differs much over a small part of the height.
+/// A tower with one quantity that is much larger or smaller over a small part of the height.
 pub(super) fn with_something_narrow(seed: &mut Seed) -> TowerDescription {
     let tower = plain(seed);
     let height_m = tower.stations[1].height_m;
@@ -124,7 +124,7 @@ pub(super) fn with_something_narrow(seed: &mut Seed) -> TowerDescription {
     }
 }
 
-/// A wall that is thicker by a factor around a height.
+/// A wall that is thicker by a factor near a height.
 fn narrow_wall(
     tower: TowerDescription,
     [lower_m, middle_m, upper_m]: [f64; 3],
@@ -151,7 +151,7 @@ fn narrow_wall(
     TowerDescription { stations, ..tower }
 }
 
-/// A table of a tube's properties with one quantity larger or smaller around a height.
+/// A table of the properties of a tube with one quantity larger or smaller near a height.
 fn narrow_row(
     tower: &TowerDescription,
     [lower_m, middle_m, upper_m]: [f64; 3],

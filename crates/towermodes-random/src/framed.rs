@@ -1,5 +1,5 @@
-//! The modes of one random frame, by itself and under a tower: their estimated errors and their
-//! true errors.
+//! The modes of a random frame, without and with a tower: their estimated errors and their true
+//! errors.
 
 use towermodes::frame::{
     Frame, FrameDescription, FrameFoundation, FrameMode, FrameOptions, FrameRecipe, MemberKind,
@@ -11,19 +11,21 @@ use super::frames::{random_frame, tower_on};
 use super::sample::Sample;
 use super::seed::Seed;
 
-/// The degree of the reference of a frame by itself.
+/// The polynomial degree of the reference solution of a frame without tower.
 const REFERENCE: usize = 24;
-/// How much the degree of the reference of a tower on a frame is raised.
+/// The increase of the polynomial degree in the reference solution of a tower on a frame.
 const RAISED: usize = 4;
 /// Number of modes.
 const MODES: usize = 8;
-/// Slower frames are nearly mechanisms: their digits are those of the springs of a hinge.
+/// Frames with lower frequencies are nearly mechanisms, whose frequencies depend mainly on the
+/// springs of a hinge.
 const SLOWEST_HZ: f64 = 0.02;
-/// Rounding that no bound has: that of the elements' own integrals.
+/// The relative rounding errors of the element integrals, which the estimated errors do not
+/// include.
 const ROUNDING: f64 = 1e-13;
 
-/// The lowest modes of the random frame of a number by [`solve_frame`], compared with elements of a
-/// degree of 24; none if the frame is not valid, is a mechanism or has fewer modes.
+/// The lowest modes of a random frame by [`solve_frame`], compared with elements of degree 24; none
+/// if the frame is not valid, is a mechanism or has fewer modes.
 pub fn frame_samples(number: u64) -> Option<Vec<Sample>> {
     let description = random_frame(&mut Seed::new(number));
     let frame = Frame::new(description).ok()?;
@@ -48,8 +50,8 @@ pub fn frame_samples(number: u64) -> Option<Vec<Sample>> {
     compared(number, 0, &found, &truth)
 }
 
-/// The lowest modes of a tower on the random frame of a number by a method, compared with spectral
-/// elements of a higher degree; none if the frame cannot carry it.
+/// The lowest modes of a tower on a random frame by a method, compared with spectral elements of a
+/// higher degree; none if the frame cannot carry the tower.
 pub fn samples_on_frame(number: u64, method: Method, solver: &mut Solver) -> Option<Vec<Sample>> {
     let description = under_a_tower(random_frame(&mut Seed::new(number)))?;
     let frame = Frame::new(description.clone()).ok()?;
@@ -81,7 +83,7 @@ pub fn samples_on_frame(number: u64, method: Method, solver: &mut Solver) -> Opt
     compared(number, segments, &found, &truth)
 }
 
-/// The frame with its highest joint as the transition piece, if a member that deforms is below it.
+/// The frame with its highest joint as the transition piece, if a deformable member is below it.
 fn under_a_tower(mut frame: FrameDescription) -> Option<FrameDescription> {
     let height = |joint: &usize| frame.joints[*joint].position_m[2];
     let top = (2..frame.joints.len()).max_by(|a, b| height(a).total_cmp(&height(b)))?;
@@ -96,7 +98,7 @@ fn under_a_tower(mut frame: FrameDescription) -> Option<FrameDescription> {
     Some(frame)
 }
 
-/// Modes by their order: both lists are proved complete.
+/// Compares the modes in their order, because both lists are proved complete.
 fn compared(
     tower: u64,
     segments: usize,

@@ -1,4 +1,4 @@
-//! Frames made in code: a jacket, a lattice of any size, random ones.
+//! Generated frames: a jacket, a lattice of any size, random frames.
 
 use towermodes::frame::{
     CoatKind, Frame, FrameCoat, FrameDescription, FrameFoundation, FrameJoint, FrameMember,
@@ -29,16 +29,16 @@ fn tube(outer_diameter_m: f64, wall_thickness_m: f64) -> Tube {
 pub struct Lattice {
     /// Number of bays.
     pub bays: usize,
-    /// Height of its feet and its top, m.
+    /// Heights of its feet and of its top, m.
     pub heights_m: [f64; 2],
-    /// Half of its width at the feet and the top, m.
+    /// Half of its width at the feet and at the top, m.
     pub half_widths_m: [f64; 2],
-    /// Whether members in the water move water, and carry growth in a part of its depth.
+    /// Whether the members in water have added mass, and marine growth over a part of the depth.
     pub in_water: bool,
 }
 
 impl Lattice {
-    /// As a jacket in 50 m of water.
+    /// A lattice like a jacket in 50 m of water.
     pub fn jacket() -> Self {
         Self {
             bays: 4,
@@ -48,7 +48,7 @@ impl Lattice {
         }
     }
 
-    /// A slender one of about as many members.
+    /// A slender lattice with about this number of members.
     pub fn of_members(members: usize) -> Self {
         Self {
             // 4 legs, 16 halves of braces, 4 horizontals.
@@ -145,7 +145,7 @@ impl Lattice {
     }
 }
 
-/// The fractions of a member between two heights (m), if any; its ends are at the heights `z`.
+/// The fractions of a member between two heights (m), if any; `z` are the heights of its ends.
 fn between([from_m, to_m]: [f64; 2], low_m: f64, high_m: f64) -> Option<[f64; 2]> {
     if from_m == to_m {
         return (low_m <= from_m && from_m <= high_m).then_some([0.0, 1.0]);
@@ -156,7 +156,7 @@ fn between([from_m, to_m]: [f64; 2], low_m: f64, high_m: f64) -> Option<[f64; 2]
     (range[1] - range[0] > 1e-6).then_some(range)
 }
 
-/// A tower of 70 m with an eccentric nacelle on a frame with a transition piece that moves.
+/// A tower of 70 m with an eccentric nacelle, on a frame with a transition piece that can move.
 ///
 /// # Panics
 /// If the frame is not valid.

@@ -1,15 +1,15 @@
-//! Random towers and turbines: how often the estimated errors hold, how far names of modes jump.
-//! For tests and studies; the program does not contain it.
+//! Random towers and turbines: coverage of the estimated errors, and jumps in the names of modes
+//! along paths. For tests and studies; the program does not contain this crate.
 //!
-//! An error is *covered* if it is at most three times the estimated one. The reference is the
-//! method spectral with a degree increased by four and the beam theory of the method: without shear
-//! deformation and rotary inertia for BModes.
-//! `cargo run --release -p towermodes-random --example random_study` prints the tables of the book.
+//! An error is *covered* if it is at most three times the estimate. The reference is the method
+//! `spectral` with a degree increased by four and with the beam theory of the method: for BModes
+//! without shear deformation and rotary inertia. `cargo run --release -p towermodes-random
+//! --example random_study` prints the tables of the book.
 //!
-//! Turbines with rotating rotor are compared with finer elements; `--example random_turbines`
-//! prints their table. Frames, by themselves and under a tower, are compared with elements of a
-//! higher degree (`--example random_frames`). [`paths`] follows names along paths of towers
-//! (`--example name_study`).
+//! Turbines with a rotating rotor are compared with finer elements; `--example random_turbines`
+//! prints their table. Frames, with and without a tower, are compared with elements of a higher
+//! degree (`--example random_frames`). [`paths`] follows names along paths of towers (`--example
+//! name_study`).
 
 mod class;
 mod features;

@@ -1,5 +1,5 @@
-//! Names of modes along random paths: towers whose rotor-nacelle assembly couples all motions, all
-//! of whose numbers change at once in small steps.
+//! Names of modes along random paths: the rotor-nacelle assembly of the towers couples all motions,
+//! and all input values change simultaneously in small steps.
 //!
 //! `cargo run --release -p towermodes-random --example name_study` counts the jumps.
 
@@ -10,15 +10,15 @@ use towermodes::{
 
 use crate::Seed;
 
-/// Names that are followed, from the lowest.
+/// Number of names that are followed, from the lowest mode.
 pub const NAMES: usize = 10;
-/// Modes that are solved for: above the window of every name that is followed.
+/// Number of computed modes: enough to cover the frequency window of every followed name.
 const MODES: usize = 16;
-/// A smaller change of a frequency (its logarithm) in one step is no jump.
+/// A smaller change of the logarithm of a frequency in one step is no jump.
 const JUMP: f64 = 0.01;
 /// Jumps are located to 2⁻¹⁷ of a step.
 const BISECTIONS: usize = 17;
-/// A path is followed to its end with the first of its jumps.
+/// Largest number of jumps of a path that are recorded.
 const MOST_JUMPS: usize = 12;
 
 /// A path of towers.
@@ -28,12 +28,13 @@ pub struct Path {
     ends: [Numbers; 2],
 }
 
-/// What varies along a path.
+/// The quantities that vary along a path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Numbers {
-    /// Logarithms: height, diameters, walls, mass, three radii of gyration, stiffness of the soil.
+    /// Logarithms of height, diameters, wall thicknesses, mass, three radii of gyration and soil
+    /// stiffness.
     logarithms: [f64; 10],
-    /// Centre of the assembly over the height of the tower.
+    /// Centre of mass of the assembly, relative to the height of the tower.
     center: [f64; 3],
 }
 
@@ -67,15 +68,15 @@ impl Numbers {
 }
 
 impl Path {
-    /// The path of a number: clamped towers, towers on springs, on soil, and towers with a heavy
-    /// assembly in turn.
+    /// The path with this number: clamped towers, towers on springs, on soil, and with a heavy
+    /// assembly, in turn.
     pub fn new(number: u64) -> Self {
         let mut seed = Seed::new(number);
         let ends = [Numbers::random(&mut seed), Numbers::random(&mut seed)];
         Self { number, ends }
     }
 
-    /// The tower at 0 to 1 along the path.
+    /// The tower at the position `t` of the path, from 0 to 1.
     fn tower(&self, t: f64) -> Tower {
         let Numbers { logarithms, center } = self.ends[0].between(&self.ends[1], t);
         let [
@@ -128,11 +129,11 @@ impl Path {
     }
 }
 
-/// A rule that names modes by the shares of their families: family and order of each. The family 4
-/// is none of the four motions.
+/// A rule that names modes by the shares of their families. It gives family and order of each mode;
+/// family 4 means none of the four motions.
 pub type Rule = fn(&[Shares]) -> Vec<(usize, usize)>;
 
-/// The rule of towermodes until 2026: the family with 60 % of the energy, or none.
+/// The rule of towermodes until 2026: the family with at least 60 % of the energy, or none.
 pub fn by_majority(shares: &[Shares]) -> Vec<(usize, usize)> {
     let mut orders = [0; 5];
     let name = |shares: &Shares| {
@@ -153,7 +154,7 @@ struct Point {
 }
 
 impl Point {
-    /// `None` for the names that the program gives.
+    /// `rule` is `None` for the names of the program.
     fn at(path: &Path, t: f64, rule: Option<Rule>, solver: &mut Solver) -> Self {
         let tower = path.tower(t);
         let solved = solver.frequencies(&tower);
@@ -167,19 +168,19 @@ impl Point {
         Self { modes, names }
     }
 
-    /// The frequency of a name, and its place.
+    /// The frequency of the mode with a name, and its position in the list.
     fn find(&self, name: (usize, usize)) -> Option<(usize, f64)> {
         let place = self.names.iter().position(|other| *other == name)?;
         Some((place, self.modes[place].frequency_hz))
     }
 
-    /// C(n, f): the energy of a family in the modes up to a place.
+    /// C(n, f): the energy of a family in the modes up to this position of the list.
     fn energy(&self, family: Family, places: usize) -> f64 {
         let modes = self.modes[..places].iter();
         modes.map(|mode| mode.shares.of(family)).sum()
     }
 
-    /// The ratio of the frequencies, in logarithm, between which the j-th unit of the energy of a
+    /// The logarithm of the ratio of the frequencies between which the j-th unit of the energy of a
     /// family lies: from C = j − 3/4 to C = j + 1/12.
     fn window(&self, (family, order): (usize, usize)) -> f64 {
         let family = Family::ALL[family];
@@ -193,32 +194,33 @@ impl Point {
     }
 }
 
-/// Shares can be slightly negative where masses couple motions.
+/// Shares can be slightly negative if masses couple motions.
 const SLACK: f64 = 0.01;
 
 /// A name whose frequency jumps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jump {
-    /// Where, from 0 to 1 along the path.
+    /// The position along the path, from 0 to 1.
     pub at: f64,
-    /// How far, ln f; infinite if the name is not in the list beyond.
+    /// The size of the jump, ln f; infinite if the name is not in the list after the jump.
     pub by: f64,
-    /// What the rule of the program permits there.
+    /// The largest jump that the rule of the program permits at this position.
     pub bound: f64,
 }
 
-/// What happens to the names along a path.
+/// The behaviour of the names along a path.
 #[derive(Debug, Clone, Default)]
 pub struct Outcome {
     /// The jumps, at most the first twelve.
     pub jumps: Vec<Jump>,
-    /// Among the modes followed at all points, those without one of the four motions as family.
+    /// Number of modes, among those followed at all points, that have none of the four motions as
+    /// family.
     pub unnamed: usize,
-    /// Names that a mode has twice in a list, or that are left out in it.
+    /// Number of names that occur twice in a list or are skipped in it.
     pub irregular: usize,
 }
 
-/// Follows the lowest names along a path in equal steps; by the names of the program, or by a rule.
+/// Follows the lowest names along a path in equal steps, named by the program or by another rule.
 pub fn follow(path: &Path, steps: usize, rule: Option<Rule>) -> Outcome {
     let mut solver = Solver::new(Options {
         modes: MODES,
@@ -247,7 +249,7 @@ pub fn follow(path: &Path, steps: usize, rule: Option<Rule>) -> Outcome {
     outcome
 }
 
-/// Names that do not follow the one before them in their family.
+/// Number of names whose order does not follow the previous order of their family.
 fn irregular(names: &[(usize, usize)]) -> usize {
     let mut orders = [0; Family::ALL.len()];
     let follows = |(family, order): &&(usize, usize)| {
@@ -257,8 +259,8 @@ fn irregular(names: &[(usize, usize)]) -> usize {
     names.iter().filter(follows).count()
 }
 
-/// How far a name moves between two towers, ln f, if another mode has it: none of its frequencies
-/// is the other's mode of the same place.
+/// The change of ln f of a name between two towers: 0 if its mode has the same position in both
+/// lists, infinite if one list does not have the name.
 fn distance(before: &Point, after: &Point, name: (usize, usize)) -> f64 {
     match (before.find(name), after.find(name)) {
         (Some((i, _)), Some((j, _))) if i == j => 0.0,
@@ -267,7 +269,7 @@ fn distance(before: &Point, after: &Point, name: (usize, usize)) -> f64 {
     }
 }
 
-/// Halves a step towards the jump of a name; none if it vanishes.
+/// Bisects a step to locate the jump of a name; none if the jump vanishes.
 fn locate(
     path: &Path,
     name: (usize, usize),

@@ -8,20 +8,21 @@ use towermodes::{BladeDescription, BladeSection, Inertia, RigidBody, TowerDescri
 use super::class::Class;
 use super::seed::Seed;
 
-/// A class of random turbines whose rotor turns.
+/// A class of random turbines with a rotating rotor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TurbineClass {
-    /// 20 to 50 sections, as public models have.
+    /// 20 to 50 blade sections, as public models have.
     Many,
-    /// 2 to 8 sections at random places.
+    /// 2 to 8 blade sections at random positions.
     Few,
-    /// Sections whose stiffness decreases by up to 1000:1, also within one element.
+    /// Blade sections whose stiffness decreases by up to 1000:1, also within one element.
     Tapered,
-    /// Blades that twist and stretch, with the centres of mass and tension off the axis.
+    /// Blades with torsional and axial flexibility, and with the centres of mass and tension away
+    /// from the axis.
     Twisting,
-    /// A heavy body at the tips, or a last section that is heavy.
+    /// A heavy body at the blade tips, or a heavy last section.
     Tips,
-    /// Four to seven blades, which have waves that do not move the hub.
+    /// Four to seven blades, so that there are modes that do not move the hub.
     Blades,
     /// A tower on soft springs, under gravity, with a yaw drive.
     Soft,
@@ -29,7 +30,7 @@ pub enum TurbineClass {
     Steps,
     /// On a floating platform.
     Floating,
-    /// Rotors that turn up to four times as fast as usual.
+    /// Rotors with up to four times the usual speed.
     Fast,
 }
 
@@ -38,11 +39,11 @@ pub enum TurbineClass {
 pub struct RandomTurbine {
     /// The tower.
     pub tower: TowerDescription,
-    /// What it carries.
+    /// The turbine above the tower.
     pub machine: TurbineDescription,
     /// The rotor speed, rpm.
     pub speed_rpm: f64,
-    /// How many of the lowest modes are looked at.
+    /// Number of the lowest modes to compare.
     pub modes: usize,
 }
 
@@ -61,7 +62,7 @@ impl TurbineClass {
         Self::Fast,
     ];
 
-    /// Its name in tables.
+    /// The name of the class in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Many => "many sections",
@@ -77,7 +78,7 @@ impl TurbineClass {
         }
     }
 
-    /// The turbine with a number.
+    /// The random turbine with this number.
     pub fn turbine(self, number: u64) -> RandomTurbine {
         // Each class has a random sequence of its own.
         let mut seed = Seed::new(number << 8 | 0x80 | self as u64);
@@ -112,15 +113,16 @@ impl RandomTurbine {
     /// The turbine on its tower.
     ///
     /// # Errors
-    /// [`TurbineError`] if the weight of the machine makes the tower buckle.
+    /// [`TurbineError`] if the tower buckles under the weight of the turbine.
     pub fn build(&self) -> Result<Turbine, TurbineError> {
         Turbine::in_place_of_rna(self.tower.clone(), self.machine.clone())
     }
 }
 
-/// Speed of the tips at the highest usual speed.
+/// Tip speed at the highest usual rotor speed.
 const TIP_SPEED_M_PER_S: f64 = 80.0;
-/// The blade of the NREL 5 MW turbine: radius, mass per length and stiffness in flap at the root.
+/// The blade of the NREL 5 MW turbine: radius, mass per length and flapwise bending stiffness at
+/// the root.
 const USUAL: (f64, f64, f64) = (63.0, 700.0, 1.8e10);
 
 fn machine(class: TurbineClass, tower: &TowerDescription, seed: &mut Seed) -> TurbineDescription {
@@ -174,7 +176,7 @@ fn machine(class: TurbineClass, tower: &TowerDescription, seed: &mut Seed) -> Tu
     }
 }
 
-/// A blade of the dimensions of wind turbines.
+/// A blade with dimensions of wind turbines.
 fn blade(class: TurbineClass, (tip_m, heavier): (f64, f64), seed: &mut Seed) -> BladeDescription {
     let size = tip_m / USUAL.0;
     let count = match class {

@@ -7,7 +7,7 @@ use towermodes::{
 use super::class::Class;
 use super::seed::Seed;
 
-/// How finely the towers are cut.
+/// The number of segments or elements of the towers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fineness {
     /// The default number of segments of the method.
@@ -21,7 +21,7 @@ pub enum Fineness {
 pub struct Sample {
     /// Number of the tower.
     pub tower: u64,
-    /// Place of the mode in the list, from 1.
+    /// Position of the mode in the list, from 1.
     pub mode: usize,
     /// Segments used.
     pub segments: usize,
@@ -31,7 +31,7 @@ pub struct Sample {
     pub claimed_hz: f64,
     /// Its difference from the reference minus the uncertainty of the reference, Hz.
     pub true_hz: f64,
-    /// Whether a warning reports that it is not resolved.
+    /// Whether a warning states that the mode is not resolved.
     pub is_warned: bool,
 }
 
@@ -44,11 +44,11 @@ const ROUNDING: f64 = 1e-9;
 /// Number of modes.
 const MODES: usize = 8;
 
-/// More modes of the reference than of the method, for those that the method's errors bring into
-/// its list.
+/// Number of additional modes in the reference: errors of the method can change which modes are the
+/// lowest.
 const MORE: usize = 8;
 
-/// How much the degree of the reference is raised.
+/// The increase of the polynomial degree in the reference solution.
 const RAISED: usize = 4;
 
 impl Sample {
@@ -57,18 +57,17 @@ impl Sample {
         self.true_hz <= ALLOWED * self.claimed_hz
     }
 
-    /// estimated/true error; none if both are rounding errors.
+    /// The ratio of the estimated to the true error; none if both are rounding errors.
     pub fn ratio(&self) -> Option<f64> {
         let is_more = self.true_hz > ROUNDING * self.frequency_hz;
         is_more.then_some(self.claimed_hz / self.true_hz)
     }
 }
 
-/// The modes of the tower of a number by each of `methods`; an error where a method does not solve
-/// it.
+/// The modes of a random tower by each of `methods`; an error if a method cannot solve it.
 ///
 /// # Errors
-/// The outer one if the reference cannot be solved.
+/// The outer error: the reference cannot be solved.
 pub fn samples(
     class: Class,
     number: u64,
@@ -108,7 +107,7 @@ pub fn samples(
     Ok(methods.iter().map(sample).collect())
 }
 
-/// The tower as a beam that does not shear.
+/// The tower as a beam without shear deformation.
 fn without_shear(mut description: TowerDescription) -> TowerDescription {
     description.shear = Shear::Rigid;
     for row in &mut description.properties {

@@ -1,11 +1,11 @@
-//! Pseudo-random numbers that are the same everywhere.
+//! Pseudo-random numbers that are the same on all machines.
 
 /// A generator of pseudo-random numbers: splitmix64 (Steele, Lea & Flood, 2014).
 #[derive(Debug, Clone)]
 pub struct Seed(u64);
 
 impl Seed {
-    /// The generator of a number.
+    /// The generator with this seed.
     pub fn new(number: u64) -> Self {
         Self(number)
     }
@@ -18,13 +18,13 @@ impl Seed {
         z ^ (z >> 31)
     }
 
-    /// Evenly distributed from `low` to `high`.
+    /// A uniformly distributed number from `low` to `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         let share = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
         low + share * (high - low)
     }
 
-    /// Distributed so that its logarithm is even from `low` to `high`.
+    /// A number whose logarithm is uniformly distributed from that of `low` to that of `high`.
     pub fn log_between(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }
@@ -34,13 +34,13 @@ impl Seed {
         low + (self.next() % (high - low + 1) as u64) as usize
     }
 
-    /// True in `share` of the cases.
+    /// True with the probability `share`.
     pub fn chance(&mut self, share: f64) -> bool {
         self.between(0.0, 1.0) < share
     }
 
-    /// Rising heights inside `base_m` to `top_m`, the ends included: `parts` parts of random
-    /// lengths, none below a tenth of the mean.
+    /// Increasing heights from `base_m` to `top_m`, both included: `parts` parts of random lengths,
+    /// none shorter than a tenth of the mean.
     pub fn heights_m(&mut self, base_m: f64, top_m: f64, parts: usize) -> Vec<f64> {
         let lengths: Vec<f64> = (0..parts).map(|_| self.between(0.1, 1.9)).collect();
         let whole: f64 = lengths.iter().sum();

@@ -1,4 +1,4 @@
-//! The study as tables in Markdown.
+//! The results of the study as tables in Markdown.
 
 use std::fmt::Write as _;
 
@@ -29,7 +29,8 @@ pub fn table(methods: &[Method], rows: &[(Class, Vec<Tally>)]) -> String {
     text
 }
 
-/// The same for turbines: the largest factor by which an estimate is too small is given too.
+/// The table for turbines: number of modes, coverage, median of estimated/true error and largest
+/// true/estimated error of each class.
 pub fn turbine_table(rows: &[(TurbineClass, Tally)]) -> String {
     let mut text = String::from(
         "| class | modes | covered, % | median estimated/true | largest true/estimated |\n|---|--:|--:|--:|--:|\n",

@@ -1,4 +1,4 @@
-//! Sums over many modes.
+//! Statistics of many modes.
 
 use super::sample::Sample;
 
@@ -31,7 +31,7 @@ impl Tally {
         self.modes
     }
 
-    /// Towers that were refused.
+    /// Number of towers that a method did not solve.
     pub fn refused(&self) -> usize {
         self.refused
     }

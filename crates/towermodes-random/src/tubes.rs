@@ -47,7 +47,7 @@ pub(super) fn plain(seed: &mut Seed) -> TowerDescription {
     }
 }
 
-/// The diameter and the wall thickness (m) of a tapered tube at a fraction of its height.
+/// The diameter and the wall thickness (m) of a tapered tube at a fraction of the height.
 fn along(description: &TowerDescription, fraction: f64) -> (f64, f64) {
     let [base, top] = [
         &description.stations[0],
@@ -60,7 +60,7 @@ fn along(description: &TowerDescription, fraction: f64) -> (f64, f64) {
     )
 }
 
-/// A tapered tube of 8 to 40 cans, each with a wall thickness of its own, and flanges.
+/// A tapered tube of 8 to 40 cans with different wall thicknesses and with flanges.
 pub(super) fn cans(seed: &mut Seed) -> TowerDescription {
     let tube = plain(seed);
     let height_m = tube.stations[1].height_m;

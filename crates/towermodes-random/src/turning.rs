@@ -1,4 +1,4 @@
-//! The modes of one random turbine: their estimated errors and their true errors.
+//! The modes of a random turbine: their estimated errors and their true errors.
 
 use towermodes::turbine::{
     Harmonic, Turbine, TurbineError, TurbineMesh, TurbineMode, TurbineModel, TurbineModes,
@@ -8,18 +8,18 @@ use towermodes::turbine::{
 use super::rotors::{RandomTurbine, TurbineClass};
 use super::sample::Sample;
 
-/// The degrees of the reference on elements half as long.
+/// The polynomial degrees of the reference, on elements of half the length.
 const REFERENCE: (usize, usize) = (14, 8);
-/// Frequencies are known to this fraction: counts bound them.
+/// The relative accuracy of frequencies, which eigenvalue counts bound.
 const KNOWN: f64 = 1e-9;
-/// The highest limit, Hz, and the precision in which it is found.
+/// The highest frequency limit, Hz, and the number of bisections to find the limit.
 const MOST_HZ: f64 = 100.0;
 const HALVINGS: usize = 30;
 
-/// The modes of the turbine of a number, with the errors that are estimated for them and their
-/// differences from a reference: elements half as long with higher degrees.
+/// The modes of a random turbine with their estimated errors and their differences from a
+/// reference: elements of half the length with higher degrees.
 ///
-/// Modes are compared by their order, the waves that do not move the hub for themselves.
+/// Modes are compared in their order; the modes that do not move the hub are compared separately.
 ///
 /// # Errors
 /// [`TurbineError`] if its tower is not stable.
@@ -33,7 +33,7 @@ pub fn turbine_samples(class: TurbineClass, number: u64) -> Result<Vec<Sample>, 
     Ok(compared(number, &modes, &truth))
 }
 
-/// A limit below which the turbine at rest has so many modes, Hz.
+/// A frequency limit below which the turbine at rest has this number of modes, Hz.
 fn limit_hz(model: &mut TurbineModel, modes: usize) -> f64 {
     let (mut low_hz, mut high_hz) = (0.0, MOST_HZ);
     for _ in 0..HALVINGS {
@@ -46,7 +46,7 @@ fn limit_hz(model: &mut TurbineModel, modes: usize) -> f64 {
     high_hz
 }
 
-/// The modes on elements half as long with higher degrees.
+/// The modes on elements of half the length with higher degrees.
 fn reference(random: &RandomTurbine, limit_hz: f64) -> Result<TurbineModes, TurbineError> {
     let mut halved = random.clone();
     let borders = &mut halved.machine.blade.borders;
@@ -66,7 +66,7 @@ fn reference(random: &RandomTurbine, limit_hz: f64) -> Result<TurbineModes, Turb
     TurbineModel::new(&turbine, &mesh)?.modes(limit_hz, random.speed_rpm)
 }
 
-/// The wave that a mode is of, if it does not move the hub.
+/// The multiblade harmonic of a mode, if it does not move the hub.
 fn wave(mode: &TurbineMode) -> Option<Harmonic> {
     match mode.name.part {
         TurbinePart::Blades(

@@ -1,7 +1,7 @@
 //! Pictures and reports of towers and their natural modes.
 //!
-//! A picture is a [`Figure`](svg::Figure): SVG with measured text, a description and the numbers it
-//! shows as a table.
+//! A picture is a [`Figure`](svg::Figure): SVG with measured text, a description and its data as a
+//! table.
 
 pub mod figures;
 mod number;

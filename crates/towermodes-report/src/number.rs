@@ -1,14 +1,14 @@
-//! Numbers as pictures and reports typeset them: those of [`towermodes::number`] with a minus sign
+//! The format of numbers in pictures and reports: that of [`towermodes::number`] with a minus sign
 //! and powers of ten.
 
 use towermodes::number;
 
-/// The content of a cell that has no value.
+/// The content of a cell without a value.
 pub(crate) const NOTHING: &str = "\u{2013}";
 
-/// Values of the input with at most this number of significant digits are shown as given.
+/// Input values with at most this number of significant digits are shown as given.
 const TYPED: usize = 6;
-/// The number of digits of other values of the input, which are results of some arithmetic.
+/// The number of digits of all other input values, which are results of some computation.
 const DERIVED: usize = 4;
 
 /// Typesets a number: `-1.5e-7` becomes `−1.5·10⁻⁷`.
@@ -34,9 +34,9 @@ pub(crate) fn superscript(exponent: &str) -> String {
     raised.collect()
 }
 
-/// A value of the input: as it was given if it has at most six significant digits, else rounded to
-/// four, or to a whole number where that has more; plainly where that is short, else as `2.1·10¹¹`;
-/// `rigid` for an infinite one.
+/// An input value: as given if it has at most six significant digits, otherwise rounded to four
+/// digits, or to an integer if that has more digits; in decimal notation if that is short,
+/// otherwise as `2.1·10¹¹`; `rigid` for an infinite value.
 pub(crate) fn given(value: f64) -> String {
     as_given(value, |value| {
         let size = value.abs();
@@ -50,8 +50,9 @@ pub(crate) fn given(value: f64) -> String {
 
 /// A number rounded to five significant digits, for coordinates.
 ///
-/// A scene has thousands of them, and the page of the explorer asks for a scene in every frame:
-/// text is formatted and read only where arithmetic could round to the other side.
+/// A scene contains thousands of numbers, and the page of the explorer requests a scene in every
+/// frame; therefore a number is converted to text and back only if arithmetic could round it
+/// differently.
 pub(crate) fn five_digits(value: f64) -> f64 {
     let exact = || format!("{value:.4e}").parse().unwrap_or(value);
     let decade = value.abs().log10().floor();
@@ -75,7 +76,7 @@ pub(crate) fn five_digits(value: f64) -> f64 {
     }
 }
 
-/// A length of the input, m: as it was given if it has at most six significant digits, else to the
+/// A length of the input, m: as given if it has at most six significant digits, otherwise to the
 /// millimetre.
 pub(crate) fn length(value_m: f64) -> String {
     if value_m.abs() < 1.0 {
@@ -106,7 +107,7 @@ fn as_given(value: f64, round: impl Fn(f64) -> f64) -> String {
     }
 }
 
-/// How many significant digits a number has, written as briefly as it can be.
+/// The number of significant digits of the shortest decimal form of a number.
 fn significant(value: f64) -> usize {
     let text = format!("{value:e}");
     let mantissa = text.split('e').next().unwrap_or_default();
@@ -134,7 +135,7 @@ pub(crate) fn short(value: f64, count: usize) -> String {
     typeset(&format!("{}{exponent}", number::trimmed(mantissa)))
 }
 
-/// A frequency with the decimals that show two digits of its error, Hz.
+/// A frequency with so many decimals that two digits of its error are visible, Hz.
 pub(crate) fn frequency(value_hz: f64, error_hz: f64) -> String {
     if value_hz == 0.0 {
         return "0".to_owned();
@@ -142,7 +143,7 @@ pub(crate) fn frequency(value_hz: f64, error_hz: f64) -> String {
     typeset(&number::with_error(value_hz, value_hz, error_hz))
 }
 
-/// A fraction in percent to one digit after the point; 0 below 0.05 %.
+/// A fraction in percent with one decimal; 0 below 0.05 %.
 pub(crate) fn percent(fraction: f64) -> String {
     let percent = 100.0 * fraction;
     if percent.abs() < 0.05 {
@@ -156,7 +157,7 @@ pub(crate) fn margin_percent(fraction: f64) -> String {
     given(number::percent(fraction))
 }
 
-/// A relative difference in percent with its sign, to three digits.
+/// A relative difference in percent with its sign, with three digits.
 pub(crate) fn signed_percent(fraction: f64) -> String {
     let percent = 100.0 * fraction;
     if percent == 0.0 {
@@ -166,7 +167,7 @@ pub(crate) fn signed_percent(fraction: f64) -> String {
     format!("{sign}{}", digits(percent.abs(), 3))
 }
 
-/// A mass with its unit: "350 t", or "85 kg" where it is small.
+/// A mass with its unit: "350 t", or "85 kg" for a small one.
 pub(crate) fn mass(value_kg: f64) -> String {
     if value_kg.abs() >= 1e3 || value_kg == 0.0 {
         format!("{} t", short(1e-3 * value_kg, 4))
@@ -202,8 +203,8 @@ mod tests {
         assert_eq!(five_digits(0.0), 0.0);
     }
 
-    /// The arithmetic gives what the text gives, also for ties, next to powers of ten, and at the
-    /// ends of double precision.
+    /// The arithmetic gives the same result as conversion to text and back, also for ties, next to
+    /// powers of ten, and at the limits of double precision.
     #[test]
     fn five_digits_are_those_of_the_text() {
         let mut values = vec![

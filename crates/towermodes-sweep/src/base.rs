@@ -4,19 +4,18 @@ use towermodes::{Method, Options, TowerDescription};
 use towermodes_files::{Prescribed, SweepResults, TowerInput};
 
 /// Number of segments of a sweep if it is not given. With the extrapolation from half and twice as
-/// many, the frequencies of the first modes have five to seven correct digits, as those of 100
+/// many segments the frequencies of the first modes have five to seven correct digits, as with 100
 /// segments without extrapolation, in a fifth of the time.
 pub const DEFAULT_SWEEP_SEGMENTS: usize = 20;
 
-/// The tower that a sweep changes, and how its file prescribes to solve it.
+/// The tower that a sweep changes, with the options that its file prescribes.
 ///
 /// A BModes deck prescribes the method `bmodes` and its own elements; a sweep uses them as `solve`
-/// does, unless the sweep gives a method or a number of segments. The ends of a deck's elements do
-/// not move with heights that are varied: a row in which they do not fit the tower fails with a
-/// message.
+/// does, unless the sweep gives a method or a number of segments. The element boundaries of a deck
+/// do not move with varied heights: a row in which they do not fit the tower fails with a message.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Base {
-    /// The tower.
+    /// The tower description.
     pub description: TowerDescription,
     /// Options that its file prescribes.
     pub prescribed: Prescribed,
@@ -41,7 +40,7 @@ impl From<&TowerInput> for Base {
 }
 
 impl Base {
-    /// The options of each solve, without shapes: those of `solve`, but
+    /// The options of each solve, without shapes: those of `solve`, but with
     /// [`DEFAULT_SWEEP_SEGMENTS`].
     pub(crate) fn options(&self, results: &SweepResults) -> Options {
         let own = self.prescribed.options(results.method, results.segments);

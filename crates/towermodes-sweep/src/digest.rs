@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use sha2::{Digest as _, Sha256};
 
-/// A digest of bytes that come one after the other.
+/// A digest of bytes that arrive in pieces.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Digest(Sha256);
 

@@ -1,4 +1,4 @@
-//! Sweeps: one tower with changed numbers, solved for each row of a table or a sample.
+//! Sweeps: one tower with changed input values, solved for each row of a table or a sample.
 //!
 //! | item | step |
 //! |---|---|
@@ -10,14 +10,13 @@
 //! | [`FirstOrder`] | mean and deviation of frequencies from derivatives, without rows |
 //! | [`Summary`] | statistics, failures, violated resonance margins |
 //!
-//! A row that fails is a row with the sentence that says why, never the end of the sweep. The
-//! columns of modes are named by [family and order](towermodes::ModeName), so they stay with the
-//! mode where frequencies cross. Results have the same bits whatever the number of threads and
-//! whoever computes them with the same build; builds for other systems may differ in the last
-//! digits.
+//! A row that fails contains the error message and does not end the sweep. The columns of modes are
+//! named by [family and order](towermodes::ModeName), so a mode stays in its column where
+//! frequencies cross. Results are equal bit by bit for any number of threads and any division into
+//! slices with the same build; builds for other systems may differ in the last digits.
 //!
-//! Each frequency is the extrapolated one, on [`DEFAULT_SWEEP_SEGMENTS`] segments by default.
-//! Parquet needs the feature `parquet`.
+//! Each frequency is extrapolated, by default from meshes around [`DEFAULT_SWEEP_SEGMENTS`]
+//! segments. Parquet needs the feature `parquet`.
 
 mod base;
 mod digest;

@@ -3,14 +3,14 @@
 use towermodes::modes::SharedMotion;
 use towermodes::{ModeName, Shares, SolveError, Solver, Tower};
 
-/// The lowest modes of one tower, in memory that is used again for the next.
+/// The lowest modes of one tower; the memory is reused for the next tower.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Lowest {
     /// The modes by frequency.
     pub(crate) modes: Vec<NamedFrequency>,
     /// Whether the list is proved to be complete.
     pub(crate) certified: bool,
-    /// Why more modes could not be computed when a wanted one was not among these.
+    /// Why more modes could not be computed although a requested one was missing.
     pub(crate) no_more: Option<SolveError>,
 }
 
@@ -22,12 +22,12 @@ pub(crate) struct NamedFrequency {
     pub(crate) hz: f64,
     /// The error of the frequency without extrapolation, Hz.
     pub(crate) error_hz: f64,
-    /// The share of each family in its energy.
+    /// The share of each type of motion in its energy.
     pub(crate) shares: Shares,
 }
 
 impl NamedFrequency {
-    /// The share of its own family in its energy.
+    /// The share of its own type of motion in its energy.
     pub(crate) fn share(&self) -> f64 {
         self.shares.of(self.name.family)
     }
@@ -49,11 +49,12 @@ impl Lowest {
         Ok(())
     }
 
-    /// Solves a tower for `options.modes` modes, and for more, up to `most`, until all wanted modes
-    /// are among them or no more can be computed. `options.modes` becomes the number solved for.
+    /// Solves a tower for `options.modes` modes, and for more, up to `most`, until all requested
+    /// modes are among them or no more can be computed. `options.modes` becomes the number of
+    /// computed modes.
     ///
     /// # Errors
-    /// That of the first solve. The modes that are known stay when there are no more.
+    /// The error of the first solve. If a later solve fails, the modes already computed remain.
     pub(crate) fn solve_for(
         &mut self,
         wanted: &[ModeName],
@@ -86,14 +87,14 @@ impl Lowest {
         Ok(())
     }
 
-    /// Whether a mode of this name shares its motion with others, so that a small change of the
-    /// tower may give its name to another one.
+    /// Whether several modes share the motion that this name states, so that a small change of the
+    /// tower may give the name to another mode.
     pub(crate) fn is_shared(&self, name: ModeName) -> bool {
         let mode = self.mode(name);
         mode.is_some_and(|mode| mode.shares.is_coupled(name.family))
     }
 
-    /// That modes share the motion of a name.
+    /// The modes that share the motion which a name states; none if only one mode has it.
     pub(crate) fn shared(&self, name: ModeName) -> Option<SharedMotion> {
         let all = self
             .modes
@@ -108,7 +109,7 @@ impl Lowest {
     }
 }
 
-/// The next number of modes in which a missing one is looked for: 2 more at first, later up to
+/// The number of modes of the next attempt to find a missing mode: 2 more at first, later up to
 /// twice as many.
 fn more_than(modes: usize) -> usize {
     (modes + 2).max(2 * modes.saturating_sub(4))

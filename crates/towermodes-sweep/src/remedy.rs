@@ -1,5 +1,5 @@
-//! What the user can do about an error of a sweep. The program has options for it, the Python
-//! package arguments: each face calls the remedy by its own name.
+//! What the user can do about an error of a sweep. The command line has options for it, the Python
+//! package has arguments, so each has its own texts.
 
 use crate::slice::SliceError;
 use crate::table::{TableError, TableProblem};

@@ -37,7 +37,7 @@ impl RowSource for Draw {
     }
 }
 
-/// The values of successive rows of a sweep, by their numbers in the sweep.
+/// The values of successive rows of a sweep; rows are numbered as in the whole sweep.
 #[derive(Debug)]
 pub struct SourceBlock<'a> {
     rows: Range<u64>,
@@ -46,9 +46,9 @@ pub struct SourceBlock<'a> {
 }
 
 enum Values<'a> {
-    /// Of all rows, given when they are needed.
+    /// A source of all rows; values are requested when they are needed.
     Given(&'a dyn RowSource),
-    /// Row by row.
+    /// The values of the rows, row by row.
     Read(Vec<f64>),
 }
 
@@ -62,7 +62,7 @@ impl std::fmt::Debug for Values<'_> {
 }
 
 impl<'a> SourceBlock<'a> {
-    /// Rows of a source, by their numbers in the sweep.
+    /// Rows of a source, numbered as in the whole sweep.
     pub(crate) fn of(source: &'a dyn RowSource, rows: Range<u64>) -> Self {
         let width = source.width();
         let values = Values::Given(source);
@@ -73,7 +73,7 @@ impl<'a> SourceBlock<'a> {
         }
     }
 
-    /// Rows with their values.
+    /// Rows with the values that were read.
     pub(crate) fn read(values: Vec<f64>, rows: Range<u64>, width: usize) -> Self {
         let values = Values::Read(values);
         Self {
@@ -127,15 +127,15 @@ pub struct LengthsDiffer {
     pub column: usize,
     /// Its number of rows.
     pub rows: usize,
-    /// That of the first column.
+    /// The number of rows of the first column.
     pub first: usize,
 }
 
 impl<'a> Columns<'a> {
-    /// Columns of one length.
+    /// Columns of equal length.
     ///
     /// # Errors
-    /// [`LengthsDiffer`] with the first column of another length.
+    /// [`LengthsDiffer`] with the first column whose length differs.
     pub fn new(columns: Vec<&'a [f64]>) -> Result<Self, LengthsDiffer> {
         let first = columns.first().map_or(0, |column| column.len());
         match columns.iter().position(|column| column.len() != first) {
@@ -151,7 +151,7 @@ impl<'a> Columns<'a> {
         }
     }
 
-    /// The same columns as rows of a larger sweep, from this number on.
+    /// The same columns as rows of a larger sweep, beginning at this row number.
     #[must_use]
     pub fn from_row(self, first_row: u64) -> Self {
         Self { first_row, ..self }

@@ -13,10 +13,11 @@ use crate::base::Base;
 use crate::first::first;
 use crate::lowest::Lowest;
 
-/// The largest number of modes that are computed of the base to find the modes that are named.
+/// The largest number of modes of the base that are computed to find the named modes.
 pub const MOST_MODES: usize = 64;
 
-/// A sweep: a tower, the changes whose values each row gives, and the modes that have columns.
+/// A sweep: a tower, the changes whose values each row gives, and the modes whose results are
+/// columns.
 ///
 /// # Example
 /// ```
@@ -44,7 +45,7 @@ pub struct Sweep {
     base_warnings: Vec<Warning>,
     changes: Vec<Change>,
     modes: Vec<ModeName>,
-    /// With the number of modes that the base needs for all names.
+    /// The options, with the number of modes that the base needs for all names.
     options: Options,
     inputs: bool,
 }
@@ -53,13 +54,13 @@ pub struct Sweep {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// The base is not a tower.
+    /// The base is not a possible tower.
     #[error("the base of the sweep is not a tower: {0}")]
     Base(#[from] TowerError),
     /// The base cannot be solved.
     #[error("the base of the sweep cannot be solved: {0}")]
     Unsolved(#[from] SolveError),
-    /// No change.
+    /// There is no change.
     #[error("nothing is varied; name at least one parameter")]
     NothingVaried,
     /// A change that is named twice.
@@ -68,7 +69,7 @@ pub enum SweepError {
         /// The name of the change.
         name: String,
     },
-    /// No modes.
+    /// There are no modes.
     #[error("the sweep has no modes; ask for at least one")]
     NoModes,
     /// A mode that is named twice.
@@ -77,7 +78,7 @@ pub enum SweepError {
         /// The mode.
         name: ModeName,
     },
-    /// A mode that the base does not have among its lowest.
+    /// A mode that is not among the lowest modes of the base.
     #[error(
         "`{name}` is not among the lowest {modes} modes of the base tower; these are {}",
         first(found)
@@ -87,16 +88,16 @@ pub enum SweepError {
         name: ModeName,
         /// Number of modes that were computed.
         modes: usize,
-        /// Their names.
+        /// The names of these modes.
         found: Vec<ModeName>,
     },
 }
 
 impl Sweep {
-    /// Checks the base by solving it, and finds the modes that have columns.
+    /// Checks the base by solving it, and finds the modes whose results are columns.
     ///
     /// # Errors
-    /// [`SweepError`]: the base cannot be solved, or lacks a mode.
+    /// [`SweepError`]: the base cannot be solved, or does not have a mode.
     pub fn new(
         base: Base,
         changes: Vec<Change>,
@@ -156,7 +157,7 @@ impl Sweep {
         &self.changes
     }
 
-    /// The modes that have columns, in the order of the columns.
+    /// The modes whose results are columns, in the order of the columns.
     pub fn modes(&self) -> &[ModeName] {
         &self.modes
     }
@@ -182,7 +183,7 @@ fn names(lowest: &Lowest) -> Vec<ModeName> {
     lowest.modes.iter().map(|mode| mode.name).collect()
 }
 
-/// The number of modes of a tower that has all modes with given names among them.
+/// The number of modes of a tower that is needed to include all modes with these names.
 fn reaching(tower: &Tower, options: &Options, wanted: &[ModeName]) -> Result<usize, SweepError> {
     if wanted.is_empty() {
         return Err(SweepError::NoModes);

@@ -27,13 +27,13 @@ impl SweepSource {
     /// A sample.
     ///
     /// # Errors
-    /// [`SamplingError`] for what cannot be drawn.
+    /// [`SamplingError`] for a sampling that cannot be drawn.
     pub fn sampled(sampling: Sampling) -> Result<Self, SamplingError> {
         let draw = Draw::new(&sampling)?;
         Ok(Self::Sampled { sampling, draw })
     }
 
-    /// The names of the changes whose values it gives.
+    /// The names of the changes whose values the source gives.
     pub(crate) fn names(&self) -> Vec<&str> {
         match self {
             Self::Table(table) => table.changes().iter().map(|change| change.name()).collect(),
@@ -44,14 +44,14 @@ impl SweepSource {
         }
     }
 
-    /// Whether it gives the values of the changes of a sweep, in their order.
+    /// Whether it gives values for the changes of this sweep, in the same order.
     pub(crate) fn fits(&self, sweep: &Sweep) -> bool {
         let changes = sweep.changes().iter().map(|change| change.name());
         self.names().into_iter().eq(changes)
     }
 
-    /// Whether the rows are independent of each other, as those of random sampling: then a share
-    /// of them has the standard error of a binomial distribution.
+    /// Whether the rows are independent, as in random sampling: then a share of the rows has the
+    /// standard error of a binomial distribution.
     pub fn is_independent(&self) -> bool {
         match self {
             Self::Table(_) => false,
@@ -67,11 +67,11 @@ impl SweepSource {
         }
     }
 
-    /// The values of rows, numbered from 0. Those of a table are read now, so they need memory for
-    /// these rows only; those of a sample need none.
+    /// The values of rows, numbered from 0. For a table they are read by this call, so only these
+    /// rows need memory; for a sample they are computed later and need none.
     ///
     /// # Errors
-    /// [`TableError`] if the table has changed, or cannot be read any more.
+    /// [`TableError`] if the table has changed, or can no longer be read.
     ///
     /// # Panics
     /// If there are no such rows.

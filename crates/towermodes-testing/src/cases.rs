@@ -1,10 +1,10 @@
-//! Cases of a test as a table of text, a case on each line.
+//! Test cases as a table in text, with one case on each line.
 
 use std::str::FromStr;
 
-/// The rows of a table, one on each line: cells apart by ` | `, empty where they are missing at the
-/// end. In a cell `\n`, `\r` and `\t` are what they are in Rust and `␣` is a blank at an end; lines
-/// that begin with `#` give the reason of the rows below. The cells live as long as the test
+/// The rows of a table, one on each line: cells are separated by ` | `, and missing cells at the
+/// end are empty. In a cell `\n`, `\r` and `\t` are escapes as in Rust, and `␣` is a blank at an
+/// end. Lines that begin with `#` explain the rows below them. The cells live as long as the test
 /// program.
 pub fn rows<const N: usize>(table: &str) -> impl Iterator<Item = [&'static str; N]> {
     let lines = table.lines().map(str::trim);
@@ -40,7 +40,7 @@ fn plain(cell: &str) -> &'static str {
     text.leak()
 }
 
-/// The words of a cell, apart by ` & `.
+/// The words of a cell, separated by ` & `.
 pub fn words(cell: &str) -> Vec<&str> {
     cell.split(" & ").collect()
 }
@@ -51,7 +51,7 @@ pub fn number<T: FromStr>(cell: &str) -> T {
     number.unwrap_or_else(|| panic!("`{cell}` is not such a number"))
 }
 
-/// The numbers of a cell, apart by blanks.
+/// The numbers of a cell, separated by blanks.
 pub fn numbers<const N: usize>(cell: &str) -> [f64; N] {
     let numbers: Vec<f64> = cell.split(' ').map(number).collect();
     let count = numbers.len();
@@ -65,7 +65,7 @@ pub fn line_and_column(cell: &str) -> (usize, usize) {
     (number(line), number(column))
 }
 
-/// The words of a command line, apart by blanks.
+/// The words of a command line, separated by blanks.
 pub fn arguments(line: &str) -> Vec<&str> {
     line.split(' ').collect()
 }

@@ -1,4 +1,4 @@
-//! Assertions that print what they have found.
+//! Assertions that print the actual value.
 
 use std::fmt::Display;
 
@@ -11,7 +11,7 @@ pub trait Says: Display {
         assert!(text.contains(words), "`{words}` is not in: {text}");
     }
 
-    /// Expects all of these words, apart by ` & `.
+    /// Expects all of these words, separated by ` & `.
     #[track_caller]
     fn says_all(&self, all: &str) {
         for words in all.split(" & ") {
@@ -44,10 +44,10 @@ impl<T: Display + ?Sized> Says for T {}
 
 /// Assertions on numbers that are not exact.
 pub trait Close {
-    /// Expects this number but for an absolute difference.
+    /// Expects this number within an absolute difference.
     fn within(self, expected: f64, difference: f64);
 
-    /// Expects this number but for a relative difference.
+    /// Expects this number within a relative difference.
     fn close_to(self, expected: f64, relative: f64);
 }
 
@@ -65,7 +65,7 @@ impl Close for f64 {
     }
 }
 
-/// Expects a value of this pattern and prints another one.
+/// Expects a value of this pattern; prints the value if it does not match.
 #[macro_export]
 macro_rules! assert_matches {
     ($value:expr, $($pattern:tt)+) => {{

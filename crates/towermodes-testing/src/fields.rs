@@ -1,6 +1,6 @@
-//! Structs of which a case sets some fields.
+//! Structs with some fields set by a test case.
 
-/// A struct with these fields and the defaults of the others: `with!(Options, method, modes = 4)`.
+/// A struct with these fields; the others have their defaults: `with!(Options, method, modes = 4)`.
 #[macro_export]
 macro_rules! with {
     (@ $field:ident) => { $field };
@@ -10,7 +10,7 @@ macro_rules! with {
     };
 }
 
-/// A value with other fields: `changed!(tower(), foundation, gravity_m_per_s2 = 9.81)`.
+/// A value with changed fields: `changed!(tower(), foundation, gravity_m_per_s2 = 9.81)`.
 #[macro_export]
 macro_rules! changed {
     (@ $field:ident) => { $field };

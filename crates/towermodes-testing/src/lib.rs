@@ -1,4 +1,4 @@
-//! What the tests of all crates share: a base for towers of tests, tables of cases as text, and
+//! Helpers for the tests of all crates: a tube for towers in tests, tables of cases as text, and
 //! assertions on texts and numbers.
 
 mod cases;

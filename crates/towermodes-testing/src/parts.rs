@@ -1,4 +1,4 @@
-//! Parts of a tower by their numbers, in the units and the order of the fields.
+//! Parts of a tower from their values, in the units and the order of the fields.
 
 use towermodes::{
     AddedMassRow, FoundationSprings, HalfSpace, Inertia, Planes, PointMass, Water, Wires,

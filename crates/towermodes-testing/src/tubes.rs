@@ -1,8 +1,8 @@
-//! The base of a tower of tests: a tube of one steel.
+//! The tube and the assembly for towers in tests, of one steel.
 
 use towermodes::{Material, Rna, Rotor, Station, TowerDescription};
 
-/// The steel of the NREL 5 MW tower, whose density has 8 % of paint, bolts and flanges in it
+/// The steel of the NREL 5 MW tower, whose density includes 8 % for paint, bolts and flanges
 /// (Jonkman et al. 2009, NREL/TP-500-38060, section 6): density, E and G.
 const STEEL: [f64; 3] = [8500.0, 2.1e11, 8.08e10];
 
@@ -22,8 +22,8 @@ pub fn stations(rows: &[(f64, f64, f64)]) -> Vec<Station> {
     rows.collect()
 }
 
-/// A rotor-nacelle assembly of this mass, kg, center, m, and inertia about its axes x, y and z,
-/// kg m².
+/// A rotor-nacelle assembly with mass, kg, centre of mass, m, and moments of inertia about the axes
+/// x, y and z, kg m².
 pub fn rna(mass_kg: f64, center_m: [f64; 3], [xx, yy, zz]: [f64; 3]) -> Rna {
     Rna {
         mass_kg,
@@ -32,7 +32,7 @@ pub fn rna(mass_kg: f64, center_m: [f64; 3], [xx, yy, zz]: [f64; 3]) -> Rna {
     }
 }
 
-/// A rotor of this number of blades between two speeds, rpm.
+/// A rotor with this number of blades and two operating speeds, lowest and highest, rpm.
 pub const fn rotor(blades: usize, lowest_rpm: f64, highest_rpm: f64) -> Rotor {
     Rotor {
         blades,

@@ -79,7 +79,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// A method with a number of segments, without extrapolation.
+    /// A method with this number of segments, without extrapolation.
     pub fn of(method: Method, segments: usize) -> Self {
         Self {
             options: Options {
@@ -92,7 +92,8 @@ impl Run {
         }
     }
 
-    /// BModes with equal elements between two heights (m), independent of the rows of the tower.
+    /// The method `bmodes` with equal elements between two heights (m), independent of the rows of
+    /// the tower.
     pub fn bmodes(base_m: f64, top_m: f64, elements: usize) -> Self {
         let mut run = Self::of(Method::Bmodes, elements);
         let border = |k: usize| {
@@ -115,7 +116,7 @@ impl Run {
         }
     }
 
-    /// A method extrapolated from a number of segments n; the remaining error is of order n⁻⁴.
+    /// A method, extrapolated from n segments; the remaining error is of order n⁻⁴.
     pub fn extrapolated(method: Method, segments: usize, allowance: f64) -> Self {
         Self {
             value: Value::Extrapolated,
@@ -177,7 +178,7 @@ impl Case {
         }
     }
 
-    /// The rows of what has no towers.
+    /// The rows of a subject without a tower: a frame or a mooring system.
     fn other_rows<T>(
         &self,
         run: &Run,
@@ -252,7 +253,7 @@ impl Case {
         }
     }
 
-    /// How many modes to begin with: those that are expected by their place, or more than are
+    /// The number of modes to begin with: enough for the expected indices, or more than the number
     /// expected by family.
     fn modes(&self) -> usize {
         let place = |expected: &Expected| match expected.quantity {
@@ -297,8 +298,8 @@ impl Case {
         solution.map_err(|error| error.to_string())
     }
 
-    /// The computed value, or the reason why there is none. Both modes of an expected pair must
-    /// have it.
+    /// The computed value, or the reason why there is none. If both modes of a pair are expected,
+    /// both must have it.
     fn got(
         &self,
         run: &Run,
@@ -344,7 +345,7 @@ fn balance(tower: &Tower) -> Result<StaticBalance, String> {
     balance.ok_or_else(|| "the buoyancy is not known".into())
 }
 
-/// The elements of a frame: "subdyn 4".
+/// The method of a frame: "subdyn 4".
 fn method_of(recipe: FrameRecipe) -> String {
     match recipe {
         FrameRecipe::Spectral { degree } => format!("spectral {degree}"),

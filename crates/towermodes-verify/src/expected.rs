@@ -16,34 +16,36 @@ pub enum Digits {
 /// The quantity that a value belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
-    /// The frequency of a mode by family and order in it, from 1; fore-aft means both modes of a
-    /// pair if the planes are equal.
+    /// The frequency of a mode by family and order within the family, from 1; fore-aft means both
+    /// modes of a pair if the planes are equal.
     Mode(Family, usize),
-    /// The frequency of the mode at a place, from 1, in the list of all modes, for coupled motions,
+    /// The frequency of a mode by its index, from 1, in the list of all modes; for coupled motions,
     /// which belong to no single family.
     Lowest(usize),
     /// The factor on gravity at which the tower buckles; it has no unit.
     BucklingLoadFactor,
     /// The mass of a frame.
     Mass,
-    /// How many motions of a mechanism have no stiffness.
+    /// Number of motions of a mechanism without stiffness.
     MotionsWithoutStiffness,
     /// The weight of a floating tower with its platform.
     Weight,
-    /// The upward force that weight, buoyancy and lines of a floating tower leave.
+    /// The residual upward force of weight, buoyancy and lines of a floating tower.
     ForceLeft,
-    /// An entry of the stiffness of moorings for the motions (x, y, z, rotation about x, y, z) of
-    /// the platform, rows and columns from 0.
+    /// An entry of the mooring stiffness for the motions (x, y, z, rotation about x, y, z) of the
+    /// platform; row and column from 0.
     Stiffness(usize, usize),
-    /// A force or moment on the platform, of these motions, from 0.
+    /// A force or moment on the platform, by the index of its motion, from 0.
     Force(usize),
-    /// The tension of a line, from 1, at its upper end: the horizontal part, or the vertical one.
+    /// The tension of a line, from 1, at its upper end: the horizontal component, or the vertical
+    /// one if true.
     Tension(usize, bool),
-    /// Where something hangs at rest: a coordinate (x, y, z, rotation about x, y, z), from 0.
+    /// The position at rest of an object in the mooring lines: a coordinate (x, y, z, rotation
+    /// about x, y, z), from 0.
     Place(Hanging, usize),
 }
 
-/// Something that hangs in mooring lines, by its number, from 1.
+/// An object that the mooring lines hold, by its number, from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Hanging {
     /// A free point.
@@ -58,7 +60,7 @@ pub enum Hanging {
 const AXES: [&str; 6] = ["x", "y", "z", "turn x", "turn y", "turn z"];
 
 impl Quantity {
-    /// Its unit, if it is no frequency.
+    /// Its unit, if it is not a frequency.
     pub(crate) fn unit(self) -> Option<&'static str> {
         match self {
             Self::Mode(..) | Self::Lowest(_) => None,
@@ -90,11 +92,11 @@ pub struct Expected {
 }
 
 impl Expected {
-    /// The values of the modes of one family in rising order, separated by spaces, with the digits
-    /// of the source.
+    /// The values of the modes of one family in increasing order, separated by spaces, with the
+    /// digits of the source.
     ///
     /// # Panics
-    /// If a text is not a number: the manual itself would be wrong.
+    /// If a text is not a number, which is an error in the manual itself.
     pub fn series(family: Family, values: &str) -> Vec<Self> {
         let series = (1..).zip(values.split_whitespace());
         series
@@ -102,7 +104,7 @@ impl Expected {
             .collect()
     }
 
-    /// The values of both bending planes where these differ, as in [`series`](Self::series).
+    /// The values of both bending planes if these differ, as in [`series`](Self::series).
     ///
     /// # Panics
     /// As [`series`](Self::series).
@@ -152,7 +154,7 @@ impl Expected {
         }
     }
 
-    /// The same value as a misprint, with the correct value.
+    /// The value marked as a misprint, with the correct value.
     #[must_use]
     pub fn instead_of(mut self, correct: f64, reason: &'static str) -> Self {
         self.misprint = Some(Misprint { correct, reason });

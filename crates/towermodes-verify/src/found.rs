@@ -1,4 +1,4 @@
-//! What is computed for frames and moorings, by quantity.
+//! Computed values of frames and moorings, by quantity.
 
 use towermodes::frame::{
     Frame, FrameDescription, FrameOptions, FrameRecipe, FrameSolveError, count_frame_modes,
@@ -10,7 +10,7 @@ use crate::expected::{Expected, Hanging, Quantity};
 
 type Matrix = [[f64; 6]; 6];
 
-/// The elements of mechanisms, whose frequencies are counted.
+/// Degree of the elements for mechanisms, whose frequencies are found by eigenvalue counts.
 const DEGREE: usize = 10;
 
 /// Mass and frequencies of a frame.
@@ -19,7 +19,7 @@ pub(crate) struct FoundFrame {
     /// Number of motions without stiffness.
     still: usize,
     frequencies_hz: Vec<f64>,
-    /// Stiffness at the transition piece, if it is expected.
+    /// Stiffness at the transition piece, if the case expects it.
     stiffness: Option<Matrix>,
 }
 
@@ -71,7 +71,7 @@ impl FoundFrame {
         })
     }
 
-    /// A value of it.
+    /// A computed value of the frame.
     pub(crate) fn get(&self, quantity: Quantity) -> Option<f64> {
         match quantity {
             Quantity::Lowest(place) => self.frequencies_hz.get(place - 1).copied(),
@@ -89,8 +89,9 @@ impl FoundFrame {
     }
 }
 
-/// The stiffness of a frame at the reference point of its transition piece (Guyan 1965): that of a
-/// joint K, carried over the rigid arm r by Tᵀ K T, where T t is the motion of the joint.
+/// The stiffness of a frame at the reference point of its transition piece (Guyan 1965): the
+/// stiffness K of a joint, transformed over the rigid arm r by Tᵀ K T, where T t is the motion of
+/// the joint.
 fn at_transition(frame: &Frame) -> Result<Matrix, String> {
     let description = frame.description();
     let transition = description.transition.as_ref();
@@ -114,7 +115,8 @@ fn at_transition(frame: &Frame) -> Result<Matrix, String> {
     }))
 }
 
-/// The frequency of a mode of a mechanism, Hz: where the number of modes below becomes its place.
+/// The frequency of a mode of a mechanism, Hz: the frequency at which the number of modes below it
+/// reaches the index of the mode.
 fn by_counts(frame: &Frame, recipe: FrameRecipe, place: usize) -> Result<f64, String> {
     let is_below = |hz: f64| {
         let count = count_frame_modes(frame, recipe, hz).map_err(|error| error.to_string());

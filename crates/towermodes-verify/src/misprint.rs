@@ -1,4 +1,4 @@
-//! A printed value that the model of its source does not give.
+//! A printed value that differs from the result of the model of its source.
 
 /// The value that a source should have printed, and why it printed another one.
 #[derive(Debug, Clone, Copy, PartialEq)]

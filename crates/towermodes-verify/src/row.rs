@@ -108,8 +108,8 @@ impl Row {
         ]
     }
 
-    /// The result of the comparison. A misprint explains a difference only if the computed value
-    /// agrees with the correct one.
+    /// The result of the comparison. A row counts as a misprint only if the computed value agrees
+    /// with the correct value.
     pub fn verdict(&self) -> Verdict {
         let agrees_with = |value: f64| {
             let got = self.got.as_ref();
@@ -156,7 +156,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// The word in tables.
+    /// The text of the verdict in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Pass => "PASS",

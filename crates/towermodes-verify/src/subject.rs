@@ -11,9 +11,9 @@ use crate::turning::Turning;
 pub enum Subject {
     /// A tower, solved by each method.
     Tower(Box<TowerDescription>),
-    /// A turbine on a tower whose rotor turns.
+    /// A turbine with rotating rotor on a tower.
     Turbine(Box<TowerDescription>, Box<Turning>),
-    /// A frame by itself, with elements of this kind; none: exact beams.
+    /// A frame without a tower, with elements of this kind; none means exact beams.
     Frame(Box<FrameDescription>, Option<FrameRecipe>),
     /// A mooring system at its reference pose.
     Mooring(Box<MooringDescription>),

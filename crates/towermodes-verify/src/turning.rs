@@ -1,21 +1,21 @@
-//! A turbine of the manual at a speed of its rotor.
+//! A turbine of the manual at a rotor speed.
 
 use towermodes::TowerDescription;
 use towermodes::turbine::{Turbine, TurbineDescription, TurbineError, TurbineMesh, TurbineModel};
 
-/// A turbine at a speed of its rotor.
+/// A turbine at a rotor speed.
 #[derive(Debug, Clone)]
 pub struct Turning {
-    /// What the tower carries.
+    /// The turbine on the tower.
     pub machine: TurbineDescription,
-    /// The speed of the rotor, rpm.
+    /// The rotor speed, rpm.
     pub rotor_speed_rpm: f64,
     /// The elements.
     pub mesh: TurbineMesh,
 }
 
 impl Turning {
-    /// The natural frequencies on a tower up to a limit, Hz.
+    /// The natural frequencies of the turbine on a tower up to a limit, Hz.
     pub(crate) fn frequencies_hz(
         &self,
         tower: &TowerDescription,

@@ -24,7 +24,7 @@ impl ChosenFiles {
         Ok(())
     }
 
-    /// The tower of the files: that of the one file that no other file names.
+    /// The tower of the files: the tower of the only file that no other file refers to.
     ///
     /// # Errors
     /// Why there is no tower, or more than one.
@@ -45,7 +45,8 @@ impl ChosenFiles {
         }
     }
 
-    /// Each file read as the main file; files of no known format only if there is nothing else.
+    /// Each file read as the main file; files of unknown format only if all are of unknown format,
+    /// then only the first.
     fn readings(&self) -> Vec<ReadAsMain> {
         let known: Vec<&Source> = self
             .files
@@ -88,7 +89,7 @@ impl ChosenFiles {
 /// A file read as the main file.
 struct ReadAsMain {
     name: String,
-    /// The chosen files that it names.
+    /// The chosen files that it refers to.
     named: BTreeSet<String>,
     tower: Result<TowerInput, String>,
 }
@@ -101,7 +102,7 @@ fn only_for_solve(main: &Source, what: &str) -> ReadError {
     )
 }
 
-/// The chosen files as siblings of a main file.
+/// The chosen files, which a main file can refer to.
 struct Siblings<'f> {
     files: &'f [Source],
     named: RefCell<BTreeSet<String>>,
@@ -109,7 +110,7 @@ struct Siblings<'f> {
 }
 
 impl Siblings<'_> {
-    /// What the user of the page can do about files that are missing.
+    /// The remedy for missing files, for the user of the page.
     fn remedy(&self, main: &str) -> String {
         let missing: Vec<String> = self.missing.borrow().iter().cloned().collect();
         match missing.is_empty() {
@@ -120,8 +121,8 @@ impl Siblings<'_> {
 }
 
 impl FileResolver for Siblings<'_> {
-    /// The file of this name in any folder; in other letters, capital or small, if there is no such
-    /// one, as on the disks of Windows.
+    /// The file with this name in any folder; if there is none, a file whose name differs only in
+    /// upper and lower case, as in file systems of Windows.
     fn read(&self, path: &str) -> Result<Source, FileError> {
         let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
         let exact = self.files.iter().find(|file| file.name == name);

@@ -1,7 +1,8 @@
-//! What a page calls, and what it is called for.
+//! The functions that a page calls, and those that it provides.
 //!
-//! Bytes go both ways through the memory of the module: the page asks for [`room`], writes there,
-//! and calls; it reads what is at [`answer`]. No function takes a pointer.
+//! Bytes are passed through the memory of the module: the page calls [`room`], writes to this
+//! address and calls a function; then it reads the bytes at [`answer`]. No function takes a
+//! pointer.
 //!
 //! | call | text in the room | returns |
 //! |---|---|---|
@@ -24,27 +25,27 @@ use crate::chosen::ChosenFiles;
 
 #[link(wasm_import_module = "page")]
 unsafe extern "C" {
-    /// Milliseconds from any moment on.
+    /// Milliseconds since an arbitrary moment.
     safe fn now_ms() -> f64;
-    /// Takes the message of a panic, text in UTF-8 at an address; the module traps afterwards.
+    /// Receives the message of a panic, a text in UTF-8 at this address; then the module traps.
     safe fn failed(message: *const u8, length: usize);
 }
 
-/// What an answer is.
+/// The kind of an answer.
 #[derive(Clone, Copy)]
 #[repr(u32)]
 enum Kind {
-    /// A document in JSON; empty where nothing is to say.
+    /// A document in JSON; empty if there is no content.
     Json = 0,
-    /// A file: the lines of its name and of its media type, then its content.
+    /// A file: one line with its name, one with its media type, then its content.
     File = 1,
-    /// No file, with the refusal of the tower in JSON.
+    /// No file, but the reason why the tower is refused, in JSON.
     Refused = 2,
-    /// A message: why there is no such answer.
+    /// A message: the reason why there is no answer.
     Message = 3,
 }
 
-/// What lies between page and explorer.
+/// The state of the module: chosen files, explorer, and the buffers of calls and answers.
 struct Desk {
     room: Vec<u8>,
     answer: Vec<u8>,
@@ -61,7 +62,7 @@ thread_local! {
     });
 }
 
-/// Makes ready; called first, once.
+/// Initializes the module; must be the first call.
 #[unsafe(no_mangle)]
 pub extern "C" fn begin() {
     std::panic::set_hook(Box::new(|panic| {
@@ -70,7 +71,7 @@ pub extern "C" fn begin() {
     }));
 }
 
-/// The address of so many bytes to write to, until the next call.
+/// The address of a buffer of this length for the page to write to, valid until the next call.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(length: usize) -> *mut u8 {
     with(|desk| {
@@ -86,7 +87,7 @@ pub extern "C" fn answer() -> *const u8 {
     with(|desk| desk.answer.as_ptr())
 }
 
-/// Its number of bytes.
+/// The number of bytes of the answer.
 #[unsafe(no_mangle)]
 pub extern "C" fn answer_length() -> usize {
     with(|desk| desk.answer.len())
@@ -104,7 +105,7 @@ pub extern "C" fn put(name_length: usize) -> u32 {
     })
 }
 
-/// Opens the tower of the files; then it can be asked.
+/// Opens the tower of the files, so that questions can be asked.
 #[unsafe(no_mangle)]
 pub extern "C" fn open() -> u32 {
     answered(|desk| match desk.files.tower() {
@@ -119,7 +120,7 @@ pub extern "C" fn open() -> u32 {
     })
 }
 
-/// Asks the tower.
+/// Answers a question about the tower.
 #[unsafe(no_mangle)]
 pub extern "C" fn ask(name_length: usize) -> u32 {
     answered(|desk| {
@@ -134,7 +135,7 @@ pub extern "C" fn ask(name_length: usize) -> u32 {
     })
 }
 
-/// Gives the style sheet with the colours of the page, which is built with it.
+/// The style sheet with the colours of the page, with which the page is built.
 #[unsafe(no_mangle)]
 pub extern "C" fn colours() -> u32 {
     answered(|_| (Kind::Json, page_colours().into_bytes()))
@@ -148,7 +149,7 @@ fn with<T>(action: impl FnOnce(&mut Desk) -> T) -> T {
     DESK.with(|desk| action(&mut desk.borrow_mut()))
 }
 
-/// Keeps the answer of an action and returns its kind.
+/// Stores the answer of an action and returns its kind.
 fn answered(action: impl FnOnce(&mut Desk) -> (Kind, Vec<u8>)) -> u32 {
     with(|desk| {
         let (kind, answer) = action(desk);
@@ -158,7 +159,7 @@ fn answered(action: impl FnOnce(&mut Desk) -> (Kind, Vec<u8>)) -> u32 {
 }
 
 impl Desk {
-    /// What the page has written: a name of so many bytes, and what follows.
+    /// What the page has written: a name of this number of bytes, and the bytes after it.
     fn taken(&mut self, name_length: usize) -> (String, Vec<u8>) {
         let mut name = std::mem::take(&mut self.room);
         let rest = name.split_off(name_length.min(name.len()));
@@ -182,7 +183,7 @@ fn message(text: &str) -> (Kind, Vec<u8>) {
     (Kind::Message, text.as_bytes().to_vec())
 }
 
-/// The report is written by the program.
+/// The message that only the program writes reports.
 fn no_report(words: &[String]) -> String {
     let quoted = words.iter().map(|word| quoted(word));
     let quoted: Vec<String> = quoted.collect();

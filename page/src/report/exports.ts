@@ -22,7 +22,7 @@ function tools(acts: [string, string, Act][]): HTMLElement {
 
 /** "Table 5. Natural frequencies." is saved as "table-5". */
 const fileName = (caption: string): string =>
-  (/^(Table|Numbers of figure) \d+/.exec(caption)?.[0] ?? "table").toLowerCase().replace(/ /g, "-");
+  (/^(Table|Data of figure) \d+/.exec(caption)?.[0] ?? "table").toLowerCase().replace(/ /g, "-");
 
 /** The rows of a table, its head first; of a table that is shown in brief all rows. */
 function rowsOf(box: Element): string[][] {

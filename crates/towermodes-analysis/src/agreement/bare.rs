@@ -1,4 +1,4 @@
-//! The wall and the point masses of a tower over a part of its height, without everything else.
+//! The wall and the point masses of a tower over a part of its height.
 
 use super::columns::HeightRange;
 use towermodes::tower::{
@@ -35,7 +35,7 @@ pub(super) fn bare(
     bare
 }
 
-/// Adds two rows for a part of a piece; equal rows of neighbouring pieces are merged by the tower.
+/// Adds two rows for a part of a piece; the tower merges equal rows of neighbouring pieces.
 fn add(piece: &Piece, part: HeightRange, bare: &mut TowerDescription) {
     let ends_m = [part.base_m, part.top_m];
     match piece.profile {
@@ -71,7 +71,7 @@ fn add(piece: &Piece, part: HeightRange, bare: &mut TowerDescription) {
 }
 
 /// The value at a height of a quantity that is linear over a piece: exact at both ends, infinite if
-/// both end values are.
+/// both end values are infinite.
 fn linear(piece: &Piece, base: f64, top: f64, height_m: f64) -> f64 {
     if height_m == piece.base_m || base == top {
         base

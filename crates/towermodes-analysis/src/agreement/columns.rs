@@ -56,7 +56,7 @@ impl HeightRange {
         height_m >= self.base_m - SAME_HEIGHT_M && height_m <= self.top_m + SAME_HEIGHT_M
     }
 
-    /// Equal heights from the base to the top, both ends exactly.
+    /// Equally spaced heights from the base to the top, both ends exactly.
     pub(super) fn heights_m(&self, count: usize) -> impl Iterator<Item = f64> + use<> {
         let Self { base_m, top_m } = *self;
         (0..count).map(move |k| {
@@ -104,8 +104,8 @@ impl Integral {
     }
 }
 
-/// The quantities of a tower along its height, summed in advance so that any part of the height is
-/// a sum of few terms without subtraction.
+/// The quantities of a tower along its height, with precomputed sums so that any part of the height
+/// is a sum of few terms without subtraction.
 pub(super) struct Columns<'a> {
     tower: &'a Tower,
     point_masses: &'a [PointMass],
@@ -153,7 +153,7 @@ impl<'a> Columns<'a> {
         }
     }
 
-    /// The sum over the pieces from one up to another, which is left out.
+    /// The sum over the pieces from index `from` up to, but not including, index `to`.
     fn sum(&self, from: usize, to: usize) -> Integral {
         let pieces = self.tower.pieces().len();
         let (mut from, mut to) = (from + pieces, to + pieces);

@@ -55,7 +55,7 @@ pub fn omit_one_sided(
     omitted
 }
 
-/// The only one of two towers that has something.
+/// The tower for which this is true, if it is true for only one of two towers.
 fn only(first: bool, second: bool) -> Option<WhichTower> {
     match (first, second) {
         (true, false) => Some(WhichTower::First),

@@ -34,7 +34,7 @@ pub struct Compared {
     /// The value of the second tower.
     pub second: f64,
     /// second/first − 1, or (second − first)/scale for values that can be zero; infinite (in JSON
-    /// null) where only the first is zero.
+    /// null) if only the first is zero.
     #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
     pub difference: f64,
     /// The verdict on the difference.
@@ -42,12 +42,12 @@ pub struct Compared {
 }
 
 impl Compared {
-    /// Two values by their ratio.
+    /// Compares two values by their ratio.
     pub(super) fn ratio(first: f64, second: f64, limit: f64) -> Self {
         Self::on_scale(first, second, first, limit)
     }
 
-    /// Two values by their difference as a fraction of a scale.
+    /// Compares two values by their difference as a fraction of a scale.
     pub(super) fn on_scale(first: f64, second: f64, scale: f64, limit: f64) -> Self {
         let difference = if first == second {
             0.0

@@ -6,7 +6,7 @@ use towermodes::Warning;
 use towermodes::space::SpatialMatrix;
 use towermodes::tower::{Inertia, Planes, Tower, TowerDescription, TowerError};
 
-/// Heights at which a tower is listed.
+/// Number of heights at which a tower is listed.
 const LISTED_HEIGHTS: usize = 21;
 
 /// The tower at a height.
@@ -37,7 +37,7 @@ pub struct Examination {
     pub point_masses_kg: f64,
     /// Height of the centre of mass in the datum of the stations, m.
     pub center_of_mass_m: f64,
-    /// Inertia against rigid motions (x, y, z, rotation about x, y, z) about the base: kg, kg m,
+    /// Inertia matrix for rigid motions (x, y, z, rotation about x, y, z) about the base: kg, kg m,
     /// kg m².
     pub inertia_about_base: SpatialMatrix,
     /// Inertia about the centre of mass, kg m².
@@ -45,7 +45,7 @@ pub struct Examination {
     pub inertia_about_center_kg_m2: Inertia,
     /// Bending deflection of the top by a unit force there, clamped at the base, m/N.
     pub tip_flexibility_m_per_n: Planes<f64>,
-    /// Values by height, at equal distances from the base to the top.
+    /// Values by height, at equally spaced heights from the base to the top.
     pub rows: Vec<ExaminationRow>,
     /// Possible input mistakes in the whole description.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -78,7 +78,8 @@ pub fn examine(description: &TowerDescription) -> Result<Examination, TowerError
     })
 }
 
-/// Steiner: the centre of mass is on the axis, `arm_m` above the base.
+/// The inertia about the centre of mass (Steiner); the centre is on the axis, `arm_m` above the
+/// base.
 fn about_center(about_base: &SpatialMatrix, mass_kg: f64, arm_m: f64) -> Inertia {
     let of_arm = mass_kg * arm_m * arm_m;
     Inertia {

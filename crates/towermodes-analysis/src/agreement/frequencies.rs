@@ -8,7 +8,7 @@ use towermodes::modes::Family;
 use towermodes::tower::Tower;
 use towermodes::{Options, Solution, Solver};
 
-/// The modes that are compared: of a tower that floats all, of others those of the tower.
+/// The modes that are compared: all of them for a floating tower, otherwise those of the tower.
 const WANTED: [(Family, usize); 10] = [
     (Family::Surge, 1),
     (Family::Sway, 1),
@@ -22,7 +22,7 @@ const WANTED: [(Family, usize); 10] = [
     (Family::SideSide, 2),
 ];
 
-/// The modes of a tower among them.
+/// The modes to compare for these towers.
 fn wanted(towers: [&Tower; 2]) -> &'static [(Family, usize)] {
     let floats = towers
         .into_iter()
@@ -33,7 +33,7 @@ fn wanted(towers: [&Tower; 2]) -> &'static [(Family, usize)] {
     }
 }
 
-/// The search for a mode ends after this many modes: coupled motions may have other names.
+/// Largest number of modes solved to find a mode: coupled motions may have other names.
 const MOST_MODES: usize = 32;
 
 /// The frequency of a mode of two towers.
@@ -55,8 +55,8 @@ pub struct ComparedFrequency {
     pub verdict: Verdict,
 }
 
-/// The first two frequencies in each plane by the method spectral, and those of a floating
-/// platform, without modes that neither tower has.
+/// The first two frequencies in each plane by the method spectral, and the rigid-body frequencies
+/// of a floating platform, without modes that neither tower has.
 pub(super) fn frequencies(
     towers: [&Tower; 2],
     rotary_inertia: bool,

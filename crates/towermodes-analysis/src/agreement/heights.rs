@@ -7,7 +7,7 @@ use towermodes::tower::Planes;
 /// Number of listed heights, besides those of the largest differences.
 const LISTED_HEIGHTS: usize = 21;
 /// Values by height are averages over this fraction of the height, so that a step that is 1 mm
-/// higher in one file is no difference.
+/// higher in one file makes no difference.
 const WINDOW: f64 = 0.01;
 /// Number of equal intervals at whose ends the largest difference is searched, besides all
 /// stations.
@@ -48,12 +48,12 @@ pub(super) struct Heights<'a> {
 }
 
 impl Heights<'_> {
-    /// Length that values are means over, m.
+    /// Length over which the values are averaged, m.
     pub(super) fn window_m(&self) -> f64 {
         WINDOW * self.overlap.length_m()
     }
 
-    /// The window around a height, moved into the overlap at its ends.
+    /// The window around a height, shifted into the overlap at its ends.
     fn window(&self, height_m: f64) -> HeightRange {
         let HeightRange { base_m, top_m } = self.overlap;
         let half_m = 0.5 * self.window_m();
@@ -65,7 +65,7 @@ impl Heights<'_> {
         }
     }
 
-    /// Means of both over the window around a height: mass per length, EI.
+    /// Averages of mass per length and EI of both towers over the window around a height.
     fn means(&self, height_m: f64) -> (Compared, Planes<Compared>) {
         let window = self.window(height_m);
         let [first, second] = self.columns.map(|columns| columns.means(window));
@@ -76,7 +76,7 @@ impl Heights<'_> {
         )
     }
 
-    /// The largest differences of mass per length and EI anywhere; the lowest of equal ones.
+    /// The largest differences of mass per length and EI at any height; of equal ones the lowest.
     pub(super) fn largest(
         &self,
         stations_m: &[f64],
@@ -96,8 +96,8 @@ impl Heights<'_> {
         )
     }
 
-    /// Heights where the largest difference can be: means over windows have kinks where a window
-    /// begins or ends at a station.
+    /// Heights at which the largest difference can occur: averages over windows have kinks where a
+    /// window begins or ends at a station.
     fn searched_m(&self, stations_m: &[f64]) -> Vec<f64> {
         let half_m = 0.5 * self.window_m();
         let HeightRange { base_m, top_m } = self.overlap;
@@ -110,7 +110,7 @@ impl Heights<'_> {
         heights_m
     }
 
-    /// Rows at equal heights and at others.
+    /// Rows at equally spaced heights and at other heights.
     pub(super) fn rows(&self, others_m: &[f64]) -> Vec<AgreementRow> {
         let mut heights_m: Vec<f64> = self.overlap.heights_m(LISTED_HEIGHTS).collect();
         heights_m.extend(others_m);

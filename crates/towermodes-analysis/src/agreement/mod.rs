@@ -1,8 +1,8 @@
 //! Agreement of two descriptions of one tower, and the values of one description.
 //!
 //! Files of different programs describe the same steel by different columns, rows and steps.
-//! Therefore the comparison uses what matters for a beam: mass and bending stiffness EI by height,
-//! and the resulting frequencies.
+//! Therefore the comparison uses the quantities that determine a beam: mass and bending stiffness
+//! EI by height, and the resulting frequencies.
 
 mod bare;
 mod columns;
@@ -37,9 +37,9 @@ use towermodes::tower::{Planes, TowerError};
 /// One of two compared towers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WhichTower {
-    /// The first one: the reference.
+    /// The first tower, which is the reference.
     First,
-    /// The second one.
+    /// The second tower.
     Second,
 }
 
@@ -59,7 +59,7 @@ pub enum AgreementError {
     /// A description is invalid.
     #[error("the {which} tower: {error}")]
     Tower {
-        /// Which of the two.
+        /// Which of the two towers.
         which: WhichTower,
         /// The invalid value.
         #[source]
@@ -68,9 +68,9 @@ pub enum AgreementError {
     /// A tower cannot be solved.
     #[error("the {which} tower: {error}")]
     Solve {
-        /// Which of the two.
+        /// Which of the two towers.
         which: WhichTower,
-        /// Why.
+        /// The error of the solver.
         #[source]
         error: SolveError,
     },
@@ -90,8 +90,8 @@ pub enum AgreementError {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Agreement {
-    /// The worst verdict. Towers with different end heights give at least a warning, and fail if
-    /// more than a hundredth of the height of one tower is outside the other.
+    /// The worst verdict. Different end heights give at least WARN, and FAIL if more than a
+    /// hundredth of the height of one tower is outside the other.
     pub verdict: Verdict,
     /// The heights of the first tower.
     pub first_range: HeightRange,
@@ -100,14 +100,14 @@ pub struct Agreement {
     /// The common heights. All values but `frequencies_as_given` refer to these.
     pub overlap: HeightRange,
     /// The distance by which the second tower must be lowered to have the heights of the first, m,
-    /// if both are equally long at different heights: their datums may differ.
+    /// if both are equally long but at different heights: their datums may differ.
     pub shift_m: Option<f64>,
     /// Length over which the values by height are averaged, m.
     pub window_m: f64,
     /// Mass with outfitting and point masses, kg.
     pub mass_kg: Compared,
     /// Point masses included in the mass, kg. The difference is a fraction of the mass of the first
-    /// tower. It does not count for the verdict: one file may give as point masses what the other
+    /// tower. It does not affect the verdict: one file may give as point masses what the other
     /// includes in its wall.
     pub point_masses_kg: Compared,
     /// Height of the centre of mass, m. The difference is a fraction of the length of the overlap.
@@ -119,7 +119,7 @@ pub struct Agreement {
     pub largest_mass: LargestDifference,
     /// The largest difference in bending stiffness EI, N m².
     pub largest_bending: Planes<LargestDifference>,
-    /// Values by height: at equal distances, and where the differences are largest.
+    /// Values by height: at equally spaced heights, and at the largest differences.
     pub rows: Vec<AgreementRow>,
     /// Quantities of rotor-nacelle assembly, substructure, platform, moorings and water; a quantity
     /// that neither tower has is not listed.
@@ -129,12 +129,12 @@ pub struct Agreement {
     /// programs do not contain these.
     pub frequencies_bare: Vec<ComparedFrequency>,
     /// The first frequencies of both whole towers as described, with rotor-nacelle assembly,
-    /// foundation, surroundings, rotary inertia and shear deformation, also of floating platforms;
+    /// foundation, surroundings, rotary inertia and shear deformation, also for floating platforms;
     /// empty if neither tower has a rotor-nacelle assembly, a foundation, surroundings or gravity.
     pub frequencies_as_given: Vec<ComparedFrequency>,
 }
 
-/// The fraction of a tower that the other may lack without failing.
+/// The fraction of a tower that may be outside the other without a verdict FAIL.
 const FEW: f64 = 0.01;
 
 impl Agreement {
@@ -144,14 +144,14 @@ impl Agreement {
         is_same_height(first.base_m, second.base_m) && is_same_height(first.top_m, second.top_m)
     }
 
-    /// The fraction of the longer tower that the other does not have.
+    /// The fraction of the longer tower that is outside the other.
     pub fn uncompared_share(&self) -> f64 {
         let lengths_m = [&self.first_range, &self.second_range].map(HeightRange::length_m);
         1.0 - self.overlap.length_m() / lengths_m.into_iter().fold(0.0, f64::max)
     }
 
-    /// The verdict on the heights: different ends are a warning, and fail if more than a hundredth
-    /// of one tower is not in the other.
+    /// The verdict on the heights: WARN for different ends, FAIL if more than a hundredth of one
+    /// tower is outside the other.
     pub fn ranges_verdict(&self) -> Verdict {
         if self.ranges_agree() {
             Verdict::Pass

@@ -10,7 +10,7 @@ use super::{Agreement, AgreementError, WhichTower};
 use crate::verdict::Verdict;
 use towermodes::tower::{Foundation, Planes, PointMass, Tower, TowerDescription};
 
-/// Compares two descriptions that should be of the same tower.
+/// Compares two descriptions of the same tower.
 ///
 /// Mass per length and bending stiffness are averages over a hundredth of the common height. The
 /// frequencies are those of the reference beam solution (spectral elements).
@@ -104,8 +104,8 @@ impl<'a> Pair<'a> {
         [0, 1].map(|i| Columns::new(&self.towers[i], masses[i], self.overlap.base_m))
     }
 
-    /// Over the overlap: mass; point masses as fractions of the first mass; height of the centre of
-    /// mass as a fraction of the length.
+    /// The masses over the overlap; point masses as fractions of the first mass; height of the
+    /// centre of mass as a fraction of the length.
     fn masses(&self, columns: &[Columns<'_>; 2], limit: f64) -> [Compared; 3] {
         let sums = columns.each_ref().map(|columns| columns.mass(self.overlap));
         let [kg, other_kg] = sums.map(|(kg, _)| kg);
@@ -126,7 +126,7 @@ impl<'a> Pair<'a> {
         })
     }
 
-    /// The point masses of each on the overlap, kg.
+    /// The point masses of each tower on the overlap, kg.
     fn point_masses_kg(&self) -> [f64; 2] {
         self.point_masses().map(|masses| {
             let shared = masses.iter().filter(|m| self.overlap.holds(m.height_m));
@@ -134,7 +134,7 @@ impl<'a> Pair<'a> {
         })
     }
 
-    /// The distance of the second above the first, if both are equally long.
+    /// The height of the second tower above the first, if both are equally long.
     fn shift_m(&self) -> Option<f64> {
         let [first, second] = &self.ranges;
         let shift_m = second.base_m - first.base_m;
@@ -142,14 +142,14 @@ impl<'a> Pair<'a> {
         (is_as_long && !is_same_height(shift_m, 0.0)).then_some(shift_m)
     }
 
-    /// Without the quantities that the files of some programs lack.
+    /// The frequencies without the quantities that the files of some programs do not contain.
     fn frequencies_bare(&self, limit: f64) -> Result<Vec<ComparedFrequency>, AgreementError> {
         let masses = self.point_masses();
         let towers = both([0, 1].map(|i| bare(&self.towers[i], masses[i], self.overlap)))?;
         frequencies(towers.each_ref(), false, limit)
     }
 
-    /// With RNA, foundation and environment, if a description has them.
+    /// The frequencies with RNA, foundation and environment, if a description has them.
     fn frequencies_as_given(&self, limit: f64) -> Result<Vec<ComparedFrequency>, AgreementError> {
         if !self.descriptions.into_iter().any(is_more_than_bare) {
             return Ok(Vec::new());
@@ -169,7 +169,7 @@ fn both([first, second]: [TowerDescription; 2]) -> Result<[Tower; 2], AgreementE
     ])
 }
 
-/// Whether there is more than a wall and point masses on a clamp.
+/// Whether the description contains more than a clamped wall with point masses.
 fn is_more_than_bare(description: &TowerDescription) -> bool {
     description.rna.mass_kg != 0.0
         || description.foundation != Foundation::Clamped

@@ -18,11 +18,11 @@ pub struct ComparedPart {
     pub first: Option<f64>,
     /// The value of the second tower; none if it has no such part.
     pub second: Option<f64>,
-    /// The relative difference second/first − 1, if both have it; infinite (in JSON null) where
-    /// only the first is zero.
+    /// The relative difference second/first − 1, if both have it; infinite (in JSON null) if only
+    /// the first is zero.
     pub difference: Option<f64>,
-    /// The verdict on the difference. A part of only one tower gives a warning, because files of
-    /// some programs contain only some parts; compare the frequencies to see the effect of this
+    /// The verdict on the difference. A part that only one tower has gives a warning, because files
+    /// of some programs contain only some parts; compare the frequencies to see the effect of this
     /// part.
     pub verdict: Verdict,
 }
@@ -81,7 +81,7 @@ const QUANTITIES: [Quantity; 12] = [
     mass("water depth", "m", |of| of.water_depth_m()),
 ];
 
-/// A quantity with the limit of masses.
+/// A quantity to which the limit of masses applies.
 const fn mass(
     name: &'static str,
     unit: &'static str,
@@ -93,7 +93,7 @@ const fn mass(
     }
 }
 
-/// A quantity with the limit of stiffnesses.
+/// A quantity to which the limit of stiffnesses applies.
 const fn stiffness(
     name: &'static str,
     unit: &'static str,
@@ -109,7 +109,7 @@ const fn stiffness(
 }
 
 impl Described<'_> {
-    /// A number of the rotor-nacelle assembly, if there is one.
+    /// A quantity of the rotor-nacelle assembly, if there is one.
     fn rna(&self, of: impl Fn(&towermodes::Rna) -> f64) -> Option<f64> {
         let rna = self.tower.rna();
         (!rna.is_absent()).then(|| of(rna))
@@ -128,12 +128,12 @@ impl Described<'_> {
         })
     }
 
-    /// The stiffness of matrix and lines in a component, where lines have theirs.
+    /// The stiffness of matrix and lines in a component, if the lines have a stiffness.
     fn mooring(&self, component: usize) -> Option<f64> {
         Some(self.tower.linear_platform()?.mooring.matrix[component][component])
     }
 
-    /// The depth of the water, if the description gives both of its ends.
+    /// The depth of the water, if the description gives water level and seabed.
     fn water_depth_m(&self) -> Option<f64> {
         let platform = self.description.foundation.floating();
         let lines = platform.and_then(|platform| platform.mooring_lines.as_deref());

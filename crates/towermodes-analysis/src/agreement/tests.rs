@@ -8,7 +8,7 @@ fn steel() -> Vec<Material> {
     vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)]
 }
 
-/// A tube of 6 m with these heights and walls (m).
+/// A tube of 6 m diameter with these heights and wall thicknesses (m).
 fn tube(walls: &[(f64, f64)]) -> TowerDescription {
     let station = |&(z, t): &(f64, f64)| Station::new(z, 6.0, t);
     TowerDescription {
@@ -37,12 +37,12 @@ fn close(value: f64, expected: f64) {
     assert!((value - expected).abs() < 1e-9, "{value} {expected}");
 }
 
-/// Area over π, m², of a wall t: t (6 − t).
+/// Area divided by π, m², for the wall thickness t: t (6 − t).
 fn area(t: f64) -> f64 {
     t * (6.0 - t)
 }
 
-/// Second moment of area over π, m⁴, times 16.
+/// Second moment of area divided by π, m⁴, times 16.
 fn second_moment(t: f64) -> f64 {
     area(t) * (36.0 + (6.0 - 2.0 * t) * (6.0 - 2.0 * t))
 }
@@ -282,8 +282,8 @@ fn what_is_no_tower_is_answered_with_which() {
     assert!(error.to_string().starts_with("the second tower: station 2"));
 }
 
-/// Softer moorings change no number of the tower, but surge: by the square root of the stiffness,
-/// if only that resists it.
+/// Softer moorings change no quantity except the surge frequency, by the square root of the
+/// stiffness, if only the moorings resist surge.
 #[test]
 fn a_floater_with_other_moorings_fails() {
     let floater = towermodes_verify::towers::floater();

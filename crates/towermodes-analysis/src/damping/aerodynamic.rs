@@ -1,14 +1,14 @@
-//! The damping of fore-aft motion by the running rotor in the wind.
+//! The aerodynamic damping of fore-aft motion by the rotating rotor.
 //!
-//! A rotor that moves downwind with the velocity v sees less wind: each blade element at the radius
-//! r has the angle of attack less by v/(Ωr) and the lift less by ½ρ(Ωr)² c dC_L/dα v/(Ωr) per
-//! length. The thrust of B blades falls by c_a v with
+//! If the rotor moves downwind with the velocity v, the relative wind speed decreases by v: the
+//! angle of attack of each blade element at the radius r decreases by v/(Ωr) and its lift by
+//! ½ρ(Ωr)² c dC_L/dα v/(Ωr) per length. The thrust of B blades decreases by c_a v with
 //!
 //! c_a = B ½ρΩ dC_L/dα ∫ c r dr,
 //!
-//! which is a dashpot at the hub. Attached flow, a speed of rotation that does not change, and tip
-//! speeds well above the wind speed are assumed. Source: Burton, Jenkins, Bossanyi, Sharpe &
-//! Graham, *Wind Energy Handbook*, 3rd ed., eq. 5.135.
+//! which is a dashpot at the hub. The assumptions are attached flow, constant rotor speed, and tip
+//! speeds much larger than the wind speed. Source: Burton, Jenkins, Bossanyi, Sharpe & Graham,
+//! *Wind Energy Handbook*, 3rd ed., eq. 5.135.
 
 use std::f64::consts::TAU;
 
@@ -19,19 +19,19 @@ use towermodes::{Mode, Rotor, RotorAerodynamics};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct AerodynamicDamping {
-    /// Speed of the rotor, rpm.
+    /// Rotor speed, rpm.
     pub rotor_rpm: f64,
     /// Damping ratio.
     pub damping_ratio: f64,
 }
 
-/// Computes the damping ratio of a mode by the rotor at its lowest and at its highest speed:
+/// Computes the aerodynamic damping ratio of a mode at the lowest and at the highest rotor speed:
 ///
 /// ζ = c_a x²/(2 M ω),
 ///
-/// with x the fore-aft motion of the tower top in the shape of the mode, M its modal mass and
-/// ω = 2πf. The hub is taken to move as the tower top; motion side-side, which the same elements
-/// hardly resist, is not damped.
+/// with the fore-aft displacement x of the tower top in the mode shape, the modal mass M and ω =
+/// 2πf. The hub is assumed to move like the tower top; side-side motion gets no damping, because
+/// the blade elements hardly resist it.
 ///
 /// # Example
 /// See [`damping`](super::damping()).
@@ -66,10 +66,12 @@ fn dashpot_n_s_per_m(rotor: &Rotor, aerodynamics: &RotorAerodynamics, rpm: f64) 
     blades * 0.5 * air_density_kg_per_m3 * speed_rad_per_s * lift_slope * chord_moment_m3
 }
 
-/// Tops that move less than this fraction of the largest motion do so by rounding.
+/// A fore-aft motion of the top that is smaller than this fraction of the largest motion is a
+/// rounding error.
 const AT_REST: f64 = 1e-9;
 
-/// The modal mass of a shape whose top moves fore-aft by 1; none if it does not move so.
+/// The modal mass of the shape scaled to a fore-aft motion of the top of 1; none if the top has no
+/// fore-aft motion.
 pub(super) fn top_mass_kg(mode: &Mode) -> Option<f64> {
     let x = mode.shape.last()?.translation[0];
     (x.abs() > AT_REST).then(|| mode.modal_mass / (x * x))

@@ -1,9 +1,9 @@
-//! Damping data in place of those of a description.
+//! Damping data that replace those of a description.
 
 use thiserror::Error;
 use towermodes::{RotorAerodynamics, TowerDescription, TowerError};
 
-/// Damping data that replace those of a description; none for those that do not.
+/// Damping data that replace those of a description; none for data that are not replaced.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct GivenDamping {
     /// Loss factors by part: `tower`, `substructure`, `foundation`, `soil`, `wires`, `water` or the
@@ -29,15 +29,15 @@ pub enum GivenDampingError {
         /// The names of the materials of the tower.
         materials: Vec<String>,
     },
-    /// Lift slope or density of air without the chords of the blades.
+    /// Lift slope or density of air is given, but not the chords of the blades.
     #[error("the lift slope and the density of air have no effect without the chord moment")]
     NoChords,
-    /// A value that no damping has.
+    /// A value that is impossible for damping data.
     #[error("{}", .0.problem)]
     Value(TowerError),
 }
 
-/// The parts that may have a loss factor, in words.
+/// The parts that may have a loss factor, as text.
 fn parts(materials: &[String]) -> String {
     let named = materials.iter().filter(|name| !name.is_empty());
     let named: Vec<String> = named.take(20).map(|name| format!("`{name}`")).collect();
@@ -52,7 +52,7 @@ impl GivenDamping {
     /// Sets the data in a description.
     ///
     /// # Errors
-    /// [`GivenDampingError`]; the description may have some of the data then.
+    /// [`GivenDampingError`]; the description may then contain some of the data.
     ///
     /// # Example
     /// ```

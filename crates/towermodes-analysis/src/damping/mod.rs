@@ -1,11 +1,11 @@
 //! The damping ratios of modes: from the loss factors of the parts of the tower, weighted by their
-//! energy, and of the running rotor in the wind.
+//! energy, and from the aerodynamic damping of the rotor.
 //!
-//! A part i with the loss factor ηᵢ and the fraction Uᵢ/U of a mode's strain energy gives the mode
-//! the damping ratio ½ ηᵢ Uᵢ/U; water, which has no strain energy, has its fraction of the kinetic
-//! energy in place of it. Self-weight dissipates nothing; it reduces U. Damping ratios add up as
-//! long as they are small. Source: Ungar & Kerwin (1962), *Loss factors of viscoelastic systems in
-//! terms of energy concepts*, J. Acoust. Soc. Am. 34.
+//! A part i with the loss factor ηᵢ and the fraction Uᵢ/U of a mode's strain energy contributes the
+//! damping ratio ½ ηᵢ Uᵢ/U; for water, which has no strain energy, its fraction of the kinetic
+//! energy is used instead. Self-weight dissipates no energy; it reduces U. Small damping ratios can
+//! be added. Source: Ungar & Kerwin (1962), *Loss factors of viscoelastic systems in terms of
+//! energy concepts*, J. Acoust. Soc. Am. 34.
 
 mod aerodynamic;
 mod given;
@@ -36,7 +36,7 @@ pub enum DampingError {
 pub struct ModalDamping {
     /// The modes by frequency.
     pub modes: Vec<ModeDamping>,
-    /// The data of the aerodynamic damping; none without data of the rotor or its speed.
+    /// The data of the aerodynamic damping; none without rotor data or rotor speed.
     pub rotor: Option<RotorAerodynamics>,
     /// Remarks: effects that are not included, data without effect, probable mistakes.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -48,35 +48,35 @@ pub struct ModalDamping {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ModeDamping {
-    /// Place in the list of modes, from 1.
+    /// Number in the list of modes, from 1.
     pub number: usize,
     /// The kind of motion.
     pub family: Family,
     /// Order within the family, from 1.
     pub order: usize,
-    /// The name of the mode, as "1st fore-aft bending".
+    /// The name of the mode, for example "1st fore-aft bending".
     pub label: String,
     /// Its frequency, extrapolated, Hz.
     pub frequency_hz: f64,
     /// The contribution of each part of the tower: materials, substructure, foundation, soil, guy
     /// wires, water.
     pub parts: Vec<PartDamping>,
-    /// The fractions of its energy, also in parts without dissipation: self-weight and masses.
+    /// The fractions of its energy, including parts without dissipation: self-weight and masses.
     pub energy_parts: EnergyParts,
     /// The sum of the damping ratios of the parts whose loss factor is given; none if no loss
-    /// factor is given, or if nothing resists the motion.
+    /// factor is given, or if the motion has no stiffness.
     pub damping_ratio: Option<f64>,
-    /// The mass that has the mode's kinetic energy if the tower top moves fore-aft by 1, kg; none
-    /// if the top does not move fore-aft.
+    /// The modal mass for a fore-aft displacement of the tower top of 1, kg; none if the top does
+    /// not move fore-aft.
     pub top_mass_kg: Option<f64>,
-    /// The damping ratio of the rotor in the wind at the lowest and at the highest operating speed;
-    /// empty without data of the rotor.
+    /// The aerodynamic damping ratio at the lowest and at the highest operating speed; empty
+    /// without rotor data.
     pub aerodynamic: Vec<AerodynamicDamping>,
 }
 
 impl ModeDamping {
     /// The sum of the damping ratios of the parts and of the rotor at one of its
-    /// [speeds](Self::aerodynamic), by its place in the list.
+    /// [speeds](Self::aerodynamic), by the index of the speed.
     pub fn running(&self, speed: usize) -> Option<f64> {
         let aerodynamic = self.aerodynamic.get(speed)?;
         Some(self.damping_ratio.unwrap_or(0.0) + aerodynamic.damping_ratio)
@@ -84,17 +84,15 @@ impl ModeDamping {
 }
 
 /// Computes the damping ratios of the modes of a tower from its description and its solution, which
-/// must have the energy by parts. `rotor` gives the number of blades and the operating speeds.
+/// must contain the energy by parts. `rotor` gives the number of blades and the operating speeds.
 ///
 /// # Errors
 /// [`DampingError::NoEnergyParts`].
 ///
 /// # Example
-/// A tower of one material, clamped: every mode has its damping ratio, η/2.
-/// ```
-/// use towermodes::{Damping, LossFactors, Material, Options, Station, Tower, TowerDescription};
-/// use towermodes::solve;
-/// use towermodes_analysis::damping;
+/// A clamped tower of one material: every mode has the damping ratio η/2 of the material. ``` use
+/// towermodes::{Damping, LossFactors, Material, Options, Station, Tower, TowerDescription}; use
+/// towermodes::solve; use towermodes_analysis::damping;
 ///
 /// let description = TowerDescription {
 ///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],

@@ -68,7 +68,7 @@ impl PartDamping {
         }
     }
 
-    /// Its name in tables: that of the material, if it has one.
+    /// Its name in tables: the name of the material, if it has one.
     pub fn name(&self) -> String {
         match self.material.is_empty() {
             true => self.part.to_string(),
@@ -153,13 +153,13 @@ fn members(frame: Option<&FrameFoundation>) -> impl Iterator<Item = &FrameMember
         .flat_map(|frame| &frame.frame.description().members)
 }
 
-/// Whether springs hold a support.
+/// Whether a support has springs.
 fn has_springs(foundation: &FrameFoundation) -> bool {
     let mut supports = foundation.frame.description().supports.iter();
     supports.any(|support| support.stiffness != SpatialMatrix::default())
 }
 
-/// Whether water moves with members or joints.
+/// Whether members or joints have added mass of water.
 fn has_water(foundation: &FrameFoundation) -> bool {
     let description = foundation.frame.description();
     let mut coats = members(Some(foundation)).flat_map(|member| &member.coats);
@@ -167,7 +167,8 @@ fn has_water(foundation: &FrameFoundation) -> bool {
         || coats.any(|coat| matches!(coat.kind, CoatKind::AddedMass { .. }))
 }
 
-/// Whether any piece of the tower is of a material. That of the top row has no piece above it.
+/// Whether any piece of the tower consists of a material. The material of the top row has no piece
+/// above it.
 fn is_used(description: &TowerDescription, index: usize) -> bool {
     let mut pieces = description.stations.windows(2);
     description.stations.is_empty()

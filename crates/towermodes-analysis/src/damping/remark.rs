@@ -8,7 +8,7 @@ use towermodes::{Plain, Rotor, TowerDescription};
 use super::ModeDamping;
 use super::part::{DampedPart, has};
 
-/// Larger loss factors, a damping ratio of 10 %, are probably a mistake.
+/// Loss factors above this value, a damping ratio of 10 %, are probably a mistake.
 const UNUSUAL: f64 = 0.2;
 /// A part with less than this fraction of the energy of every mode needs no loss factor.
 const NEGLIGIBLE: f64 = 1e-4;
@@ -18,15 +18,15 @@ const NEGLIGIBLE: f64 = 1e-4;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum DampingRemark {
-    /// There is no damping data at all.
+    /// There are no damping data.
     Nothing,
     /// A part has energy but no loss factor.
     Missing {
         /// Its name.
         name: String,
-        /// The largest fraction of energy that it has in a mode.
+        /// The largest fraction of the energy of a mode that it has.
         fraction: f64,
-        /// The name of that mode.
+        /// The name of this mode.
         mode: String,
     },
     /// A loss factor of a part that the tower does not have.
@@ -36,14 +36,14 @@ pub enum DampingRemark {
     },
     /// The tower floats: the damping of its platform is not computed.
     Afloat,
-    /// A loss factor that hardly any part has.
+    /// A loss factor that is too large for nearly all parts.
     Unusual {
         /// The name of the part.
         name: String,
         /// Its loss factor.
         loss_factor: f64,
     },
-    /// The rotor is known but its speed is not.
+    /// The rotor is known but its speed is unknown.
     NoSpeed,
 }
 
@@ -142,7 +142,7 @@ fn is_afloat(description: &TowerDescription) -> bool {
     description.foundation.floating().is_some()
 }
 
-/// The remark on a part without a loss factor, by its place in the list of parts.
+/// The remark on a part without a loss factor, by its index in the list of parts.
 fn missing(modes: &[ModeDamping], place: usize) -> Option<DampingRemark> {
     let fraction = |mode: &ModeDamping| mode.parts[place].energy_fraction;
     let largest = modes

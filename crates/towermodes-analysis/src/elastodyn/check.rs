@@ -66,7 +66,7 @@ pub(super) fn check_modes(modes: &PlaneModes) -> Result<(), ModelError> {
                 return Err(ModelError::Quantity { what, value });
             }
         }
-        positive("a tuner of a mode's stiffness", tuner)?;
+        positive("a stiffness tuner of a mode", tuner)?;
         not_negative("the damping of a mode", damping)?;
     }
     Ok(())

@@ -2,8 +2,8 @@
 //!
 //! From a ratio ζ in its file ElastoDyn computes the damping C = 2 ζ K/ω₁, where ω₁ is the
 //! frequency of the tower without its rotor-nacelle assembly. With the assembly the frequency ω is
-//! lower, and the damping ratio is C ω/(2 K) = ζ ω/ω₁, neglecting the geometric stiffness of
-//! gravity.
+//! lower, and the damping ratio is C ω/(2 K) = ζ ω/ω₁, if the geometric stiffness of gravity is
+//! neglected.
 
 use thiserror::Error;
 

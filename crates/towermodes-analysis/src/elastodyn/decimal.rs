@@ -11,7 +11,8 @@ pub const COEFFICIENT_DECIMALS: u32 = 8;
 pub const MAX_DECIMALS: u32 = 15;
 /// OpenFAST refuses coefficients whose sum differs from 1 by more than this.
 pub const SUM_TOLERANCE: f64 = 0.0015;
-/// Larger coefficients do not describe a mode shape of a tower; known ones reach some hundreds.
+/// Larger coefficients do not describe a mode shape of a tower; known coefficients are at most some
+/// hundreds.
 const MAX_COEFFICIENT: f64 = 1e12;
 
 /// A polynomial in whole units of its last decimal, whose coefficients sum to 1 exactly.
@@ -36,7 +37,7 @@ pub enum RoundingError {
     /// A coefficient is not finite or far too large for a mode shape.
     #[error("the coefficient of x^{power} is {}, which is too large for a mode shape", Plain(*.value))]
     Coefficient {
-        /// The power of x it belongs to.
+        /// The power of x of this coefficient.
         power: usize,
         /// Its value.
         value: f64,
@@ -52,8 +53,8 @@ pub enum RoundingError {
 impl TowerPolynomial {
     /// The coefficients rounded to decimals that sum to 1 exactly.
     ///
-    /// They are first divided by their sum, which scales the shape only; the remainder of the
-    /// rounding is added to the largest coefficient, which changes relatively least.
+    /// They are first divided by their sum, which only scales the shape; the remainder of the
+    /// rounding is added to the largest coefficient, whose relative change is smallest.
     ///
     /// # Errors
     /// [`RoundingError`]: the number of decimals or a coefficient is out of range, or the sum is

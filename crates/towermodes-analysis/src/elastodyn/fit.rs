@@ -1,7 +1,8 @@
 //! Polynomials fitted to mode shapes.
 //!
-//! ElastoDyn's shapes have no deflection and no slope at the base and are 1 at the top. So the base
-//! motion is subtracted first, and the rest divided by its value at the top. The fitted function is
+//! ElastoDyn's shapes have no deflection and no slope at the base and are 1 at the top. Therefore
+//! the base motion is subtracted, and the result is divided by its value at the top. The fitted
+//! function is
 //!
 //! φ(x) = x² + Σ cₖ (xᵏ − x²), k = 3 to 6,
 //!
@@ -14,8 +15,9 @@ use super::polynomial::TowerPolynomial;
 use super::shape_samples::ShapeSamples;
 use towermodes::Plain;
 
-/// The smallest deflection of the top as a fraction of the largest deflection. A shape below it is
-/// refused: scaled to 1 at the top it would be huge elsewhere.
+/// The smallest deflection of the top as a fraction of the largest deflection. A shape with a
+/// smaller one is refused, because scaled to 1 at the top it would have very large values
+/// elsewhere.
 pub const SMALLEST_TIP_SHARE: f64 = 1e-3;
 
 /// A polynomial fitted to a mode shape, with its residuals.
@@ -33,8 +35,8 @@ pub struct PolynomialFit {
     /// motion.
     pub tip_deflection: f64,
     /// The condition number of the fit: the ratio of the largest to the smallest singular value of
-    /// the columns xᵏ − x² at the samples, weighted as they are and scaled to length 1, from the R
-    /// of their QR decomposition.
+    /// the columns xᵏ − x² at the samples, weighted as in the fit and scaled to length 1, from R of
+    /// their QR decomposition.
     pub condition: f64,
 }
 
@@ -54,7 +56,7 @@ impl PolynomialFit {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FitError {
-    /// Too few samples for the coefficients.
+    /// Too few samples for the number of coefficients.
     #[error(
         "{found} samples are too few to fit five coefficients; at least 6 are needed, base and top among them"
     )]
@@ -65,7 +67,7 @@ pub enum FitError {
     /// A sample is not finite.
     #[error("sample {index} of the shape is not finite: {} at {}", Plain(*.value), Plain(*.x))]
     NotFinite {
-        /// Its place, from 0.
+        /// The index of the sample, from 0.
         index: usize,
         /// Its height.
         x: f64,
@@ -80,17 +82,17 @@ pub enum FitError {
         /// The last height.
         last: f64,
     },
-    /// The heights do not rise.
+    /// The heights do not increase.
     #[error("sample {index} of the shape, at {}, is not above the one before, at {}", Plain(*.x), Plain(*.below))]
     NotRising {
-        /// Its place, from 0.
+        /// The index of the sample, from 0.
         index: usize,
         /// Its height.
         x: f64,
-        /// The height of the one before.
+        /// The height of the previous sample.
         below: f64,
     },
-    /// The deflection of the top is too small to scale by.
+    /// The deflection of the top is too small to divide by.
     #[error(
         "relative to the base, the displacement at the top of the shape is {}, but the largest displacement is {}; shapes of ElastoDyn must be 1 at the top",
         Plain(*.tip), Plain(*.largest)
@@ -101,7 +103,7 @@ pub enum FitError {
         /// The largest deflection.
         largest: f64,
     },
-    /// The samples lie too close together to tell the powers of x apart.
+    /// The samples are so close together that the powers of x are linearly dependent.
     #[error("the samples are too close together to determine the coefficients of x² to x⁶")]
     Indistinct,
 }
@@ -112,8 +114,8 @@ pub enum FitError {
 /// the result does not depend on the spacing of the samples.
 ///
 /// # Errors
-/// [`FitError`]: too few samples, samples that are not finite or do not rise from 0 to 1, or a top
-/// that hardly moves.
+/// [`FitError`]: too few samples, samples that are not finite or do not increase from 0 to 1, or a
+/// top with too small a deflection.
 pub fn fit(samples: &ShapeSamples) -> Result<PolynomialFit, FitError> {
     let (points, tip_deflection) = normalized(samples)?;
     let weights = trapezoidal(&points);
@@ -246,7 +248,7 @@ mod tests {
         }
     }
 
-    /// Expected values: the same least squares in 60 digits by the normal equations.
+    /// Expected values: the same least-squares problem by the normal equations with 60 digits.
     #[test]
     fn a_cantilever_is_fitted_as_well_as_it_can_be() {
         let first = fit(&sampled(&equal(101), cantilever(1.875_104_068_711_961))).expect("a fit");

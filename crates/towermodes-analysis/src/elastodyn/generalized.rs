@@ -2,8 +2,8 @@
 //! stiffnesses, frequencies, damping.
 //!
 //! The formulas are those of the subroutine `Coeff` of ElastoDyn (OpenFAST 5.0): the midpoint rule
-//! over equal elements, properties linear between the rows of the tower file. They have
-//! no rotary inertia and no shear deformation, and the rotor-nacelle assembly is a point mass.
+//! over equal elements, properties linear between the rows of the tower file, no rotary inertia, no
+//! shear deformation, and a point mass for the rotor-nacelle assembly.
 
 use std::f64::consts::{PI, TAU};
 
@@ -25,7 +25,7 @@ pub struct Generalized {
     /// Frequency f(·,1) of the tower without rotor-nacelle assembly and without gravity,
     /// √(KT/(MT − mass on top))/2π, Hz.
     pub frequency_alone_hz: [f64; 2],
-    /// Frequency f(·,2) with both, √((KT + KG)/MT)/2π, Hz; none where the geometric stiffness of
+    /// Frequency f(·,2) with both, √((KT + KG)/MT)/2π, Hz; none if the geometric stiffness of
     /// gravity exceeds the stiffness.
     pub frequency_loaded_hz: [Option<f64>; 2],
     /// Damping Cᵢⱼ = (ζⱼ/100) KTᵢⱼ/(π fⱼ(·,1)), N s/m.

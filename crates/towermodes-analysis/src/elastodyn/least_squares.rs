@@ -2,7 +2,8 @@
 
 use towermodes::space::eigenpairs;
 
-/// A column is dependent on those before it if the rest is smaller than this fraction of it.
+/// A column counts as dependent on the previous ones if its component orthogonal to them is smaller
+/// than this fraction of it.
 const DEPENDENT: f64 = 1e-10;
 
 /// The solution of a least-squares problem.
@@ -69,7 +70,7 @@ struct Mirror {
 }
 
 impl Mirror {
-    /// None if the rest of a column of length 1 is nearly zero.
+    /// The reflection of a column; none if the rest of a column of length 1 is nearly zero.
     fn of(column: &[f64]) -> Option<Self> {
         let length = norm(column);
         if length.is_nan() || length <= DEPENDENT {

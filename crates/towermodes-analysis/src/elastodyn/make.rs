@@ -1,5 +1,5 @@
-//! A tower as ElastoDyn has it: the rows, masses, shapes and damping of its tower file, and what
-//! ElastoDyn computes from them.
+//! A tower for ElastoDyn: the rows, masses, shapes and damping of its tower file, and the
+//! quantities that ElastoDyn computes from them.
 
 use thiserror::Error;
 
@@ -18,12 +18,12 @@ pub const DEFAULT_NODES: usize = 20;
 /// The structural damping of a tower file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Damping {
-    /// This ratio is written, percent of critical.
+    /// Writes this ratio, percent of critical.
     Written(f64),
-    /// The ratio is written that gives the tower with its rotor-nacelle assembly this ratio,
+    /// Writes the ratio for which the tower with its rotor-nacelle assembly has this damping ratio,
     /// percent of critical.
     Wanted(f64),
-    /// These ratios of the first and second mode are written, percent of critical.
+    /// Writes these ratios of the first and second mode, percent of critical.
     Kept(Planes<[f64; 2]>),
 }
 
@@ -34,8 +34,8 @@ pub struct MakeOptions {
     pub from_m: Option<f64>,
     /// The number of rows.
     pub rows: Rows,
-    /// Whether the tower file has the section of concentrated masses, which OpenFAST reads since
-    /// 4.2; without it masses are distributed over an element.
+    /// Whether the tower file has the section of concentrated masses, which OpenFAST reads from
+    /// version 4.2 on; without it each mass is distributed over an element.
     pub has_concentrated_masses: bool,
     /// The structural damping.
     pub damping: Damping,
@@ -61,7 +61,7 @@ impl Default for MakeOptions {
     }
 }
 
-/// A tower as ElastoDyn has it.
+/// A tower for ElastoDyn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MadeTower {
     /// Height at which the flexible tower begins, m.
@@ -74,14 +74,13 @@ pub struct MadeTower {
     pub modes: Planes<PlaneModes>,
     /// The quantities that ElastoDyn computes from model and modes.
     pub quantities: Planes<Generalized>,
-    /// The number of point masses that are distributed over an element each.
+    /// The number of point masses that are distributed over one element each.
     pub spread_masses: usize,
-    /// The change of the tower because of the small number of rows; none if it is not more than a
-    /// thousandth.
+    /// The change of the tower due to the small number of rows; none if it is at most a thousandth.
     pub coarseness: Option<Coarseness>,
 }
 
-/// The change of a tower by a small number of rows.
+/// The change of a tower due to a small number of rows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coarseness {
     /// The number of rows that an accurate tower needs.
@@ -94,13 +93,13 @@ pub struct Coarseness {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum MakeError {
-    /// It has no shapes.
+    /// The tower has no shapes.
     #[error(transparent)]
     Shapes(#[from] ShapesError),
-    /// It has no rows.
+    /// The tower has no rows.
     #[error(transparent)]
     Rows(#[from] RowsError),
-    /// ElastoDyn cannot compute with it.
+    /// ElastoDyn cannot compute with the tower.
     #[error(transparent)]
     Model(#[from] ModelError),
     /// The damping ratio cannot be written.

@@ -1,13 +1,13 @@
 //! The tower in ElastoDyn, the structural module of OpenFAST: polynomial mode shapes, frequencies
-//! by its formulas, damping, rows of its tower file.
+//! by the formulas of ElastoDyn, damping, rows of the tower file.
 //!
 //! ElastoDyn solves no eigenvalue problem. It represents the tower by two shapes in each plane,
 //! polynomials with the powers x² to x⁶ of the height x as a fraction of the flexible tower, which
 //! the user must provide. [`select_bending_modes()`] selects the modes of a
-//! [`Solution`](towermodes::Solution), [`fit()`] fits the polynomials,
-//! [`TowerPolynomial::rounded`] rounds them to the decimals of the file, and [`TowerModel`] gives
-//! the quantities that ElastoDyn computes from them. [`tower_shapes`] gives the shapes of a tower,
-//! and [`make_tower`] the whole content of its tower file.
+//! [`Solution`](towermodes::Solution), [`fit()`] fits the polynomials, [`TowerPolynomial::rounded`]
+//! rounds them to the decimals of the file, and [`TowerModel`] computes the quantities that
+//! ElastoDyn computes from them. [`tower_shapes`] gives the shapes of a tower, and [`make_tower`]
+//! the whole content of its tower file.
 
 mod check;
 mod damping;

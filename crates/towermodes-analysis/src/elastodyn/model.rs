@@ -6,7 +6,7 @@ use super::polynomial::TowerPolynomial;
 use towermodes::Plain;
 use towermodes::tower::Planes;
 
-/// The largest number of elements; towers for ElastoDyn have some tens.
+/// The largest number of elements; usual ElastoDyn towers have some tens.
 pub const MAX_NODES: usize = 1_000_000;
 
 /// The tower model of ElastoDyn.
@@ -87,7 +87,7 @@ pub enum ModelError {
         /// Number of rows.
         rows: usize,
     },
-    /// The heights of the rows do not rise from 0 to 1.
+    /// The heights of the rows do not increase from 0 to 1.
     #[error("the heights of the tower's rows must rise from 0 to 1; row {row} is at {}", Plain(*.height_fraction))]
     Heights {
         /// The row, from 1.
@@ -95,7 +95,7 @@ pub enum ModelError {
         /// Its height.
         height_fraction: f64,
     },
-    /// The numbers overflowed, or a shape does not move.
+    /// The computation overflowed, or a shape is zero.
     #[error(
         "the masses, stiffnesses or shapes of this tower are too large, too small or zero: the equations of ElastoDyn give no frequency"
     )]

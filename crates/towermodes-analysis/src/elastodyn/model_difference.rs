@@ -6,17 +6,17 @@ use std::fmt;
 use super::model::{TowerModel, TowerStation};
 use towermodes::tower::Planes;
 
-/// The relative differences of two tower models in ElastoDyn's terms.
+/// The relative differences of two tower models in the quantities that ElastoDyn uses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ModelDifference {
     /// Difference in the mass of the flexible tower, as a fraction.
     pub mass: f64,
-    /// Difference in the deflection of the top by a force there, as a fraction.
+    /// Difference in the deflection of the top due to a force there, as a fraction.
     pub flexibility: Planes<f64>,
 }
 
 impl ModelDifference {
-    /// The largest absolute value of all.
+    /// The largest absolute value of all differences.
     pub fn largest(&self) -> f64 {
         let Planes {
             fore_aft,

@@ -9,12 +9,12 @@ use super::stations::{PointMasses, Rows, RowsError, tower_rows};
 
 /// Towers whose mass or flexibility differs by more than this fraction are different towers.
 const DIFFERENT: f64 = 0.05;
-/// … and a larger difference than this is worth a note.
+/// A larger difference than this fraction gives a note.
 const NOTICEABLE: f64 = 0.005;
 /// Heights in decks are rounded to millimetres.
 const ROUNDING_M: f64 = 1e-3;
 
-/// A tower that a deck is of.
+/// The tower of a deck.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SameTower {
     /// The height at which the flexible tower of the deck begins, in the datum of the tower, m.
@@ -46,7 +46,7 @@ pub enum OtherTower {
     /// Mass or flexibility differs by more than 5 %.
     #[error("{0}")]
     Different(ModelDifference),
-    /// It has no rows for ElastoDyn.
+    /// The tower has no rows for ElastoDyn.
     #[error(transparent)]
     Rows(#[from] RowsError),
 }

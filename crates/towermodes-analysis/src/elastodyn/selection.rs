@@ -19,14 +19,14 @@ const SAMPLES: usize = 201;
 pub struct BendingModes<'a> {
     /// The first and second mode of each plane.
     pub modes: Planes<[&'a Mode; 2]>,
-    /// The bending modes that were left out because of their torsion, by frequency.
+    /// The bending modes that were skipped because of their torsion, by frequency.
     pub passed_over: Vec<PassedOver>,
 }
 
-/// A mode that was left out.
+/// A mode that was skipped.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PassedOver {
-    /// Its place in the list, from 1.
+    /// Its number in the list, from 1.
     pub number: usize,
     /// Its name: "2nd fore-aft bending".
     pub label: String,
@@ -52,14 +52,14 @@ pub enum SelectionError {
         plane: Plane,
         /// The number of its bending modes in the solution.
         found: usize,
-        /// The number of bending modes left out because of their torsion.
+        /// The number of bending modes skipped because of their torsion.
         passed_over: usize,
         /// The number of modes in the solution.
         solved: usize,
-        /// The number of modes to ask for.
+        /// The number of modes to request.
         ask_for: usize,
     },
-    /// The limit of torsion is not a fraction.
+    /// The limit of the torsion fraction is not between 0 and 1.
     #[error("the limit of the torsion fraction is {limit}, but it must be 0 to 1")]
     Limit {
         /// The limit.
@@ -69,9 +69,9 @@ pub enum SelectionError {
 
 /// Selects the first and second bending mode of each plane.
 ///
-/// A bending mode of a plane is a mode of its family. Modes with a larger fraction of their energy
-/// in torsion than `torsion_limit` are left out. Rigid-body modes of a floating platform do not
-/// count.
+/// A bending mode of a plane is a mode of the bending type in this plane. Modes with a larger
+/// fraction of their energy in torsion than `torsion_limit` are skipped. Rigid-body modes of a
+/// floating platform do not count.
 ///
 /// # Errors
 /// [`SelectionError`]: too few bending modes, or a limit that is not 0 to 1.
@@ -94,7 +94,7 @@ pub fn select_bending_modes(
     Ok(BendingModes { modes, passed_over })
 }
 
-/// The first two modes of a plane, and those below the second that were left out.
+/// The first two modes of a plane, and the modes below the second that were skipped.
 fn first_two(
     solution: &Solution,
     plane: Plane,

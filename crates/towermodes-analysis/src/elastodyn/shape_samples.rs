@@ -11,8 +11,8 @@ pub struct ShapeSamples {
     pub points: Vec<(f64, f64)>,
     /// Deflection of the base.
     pub base_translation: f64,
-    /// Deflection of the top by the rotation of the base alone: its slope times the length of the
-    /// flexible tower.
+    /// Deflection of the top due to the rotation of the base alone: the slope at the base times the
+    /// length of the flexible tower.
     pub base_slope: f64,
 }
 

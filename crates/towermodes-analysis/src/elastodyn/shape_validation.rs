@@ -9,7 +9,8 @@ use crate::mac::mac;
 use crate::verdict::Verdict;
 use towermodes::tower::{Plane, Planes};
 
-/// The limits of a validation: up to the first number a shape passes, up to the second it warns.
+/// The limits of a validation: up to the first number a shape passes, up to the second it gets a
+/// warning.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ValidationLimits {
     /// Root mean square of the difference, as a fraction of the largest deflection of the shape.
@@ -37,22 +38,23 @@ impl Default for ValidationLimits {
 pub struct ValidatedShape {
     /// The bending plane of the mode.
     pub plane: Plane,
-    /// 1 or 2.
+    /// Number of the shape: 1 or 2.
     pub number: usize,
     /// Frequency of the mode of the tower with its rotor-nacelle assembly and foundation, Hz.
     pub mode_hz: f64,
     /// The sum of the coefficients; OpenFAST refuses a sum that differs from 1 by more than 0.0015.
     pub sum: f64,
-    /// Root mean square over the height of the difference to the mode, as a fraction of the largest
-    /// deflection of the mode. The shape is scaled for the smallest difference; if shapes were
-    /// scaled to 1 at a top that hardly moves, the difference could be arbitrarily large.
+    /// Root mean square over the height of the difference from the mode, as a fraction of the
+    /// largest deflection of the mode. The shape is scaled for the smallest difference; if shapes
+    /// were scaled to 1 at the top, the difference could be arbitrarily large for a mode whose top
+    /// hardly moves.
     pub rms: f64,
     /// Rms error of the best polynomial.
     pub best_rms: f64,
     /// Rms error of the best combination of both shapes of the plane, because ElastoDyn superposes
     /// them.
     pub rms_of_both: f64,
-    /// The ratio of `rms` and `best_rms`.
+    /// The ratio of `rms` to `best_rms`.
     pub rms_ratio: f64,
     /// Modal assurance criterion (Σab)²/(Σa² Σb²) with the mode.
     pub mac: f64,
@@ -170,7 +172,7 @@ fn orthogonal_mean_square(vector: &[f64], basis: &[&[f64]], weights: &[f64]) -> 
 }
 
 impl ValidatedShape {
-    /// The verdict by the limits.
+    /// The verdict according to the limits.
     fn by(&self, limits: &ValidationLimits) -> Verdict {
         if (self.sum - 1.0).abs() > SUM_TOLERANCE {
             return Verdict::Fail;

@@ -13,10 +13,10 @@ use towermodes::Plain;
 use towermodes::tower::{Plane, Tower};
 use towermodes::{Mode, Options, Solution, SolveError, Solver};
 
-/// The number of modes solved first; more if torsion or rigid-body modes of a floating platform are
-/// among them.
+/// The number of modes solved at first; more are solved if torsion or rigid-body modes of a
+/// floating platform are among them.
 const FIRST_MODES: usize = 12;
-/// The search ends after this many modes.
+/// Largest number of modes solved.
 const MOST_MODES: usize = 96;
 
 /// A shape for ElastoDyn.
@@ -24,7 +24,7 @@ const MOST_MODES: usize = 96;
 pub struct TowerShape {
     /// The bending plane of the mode.
     pub plane: Plane,
-    /// 1 or 2.
+    /// Number of the shape: 1 or 2.
     pub number: usize,
     /// The name of the mode: "1st fore-aft bending".
     pub label: String,
@@ -45,7 +45,7 @@ pub struct TowerShape {
 pub struct TowerShapes {
     /// The four shapes.
     pub shapes: [TowerShape; 4],
-    /// Modes left out for their torsion.
+    /// Modes skipped because of their torsion.
     pub passed_over: Vec<PassedOver>,
 }
 
@@ -64,7 +64,7 @@ pub enum ShapesError {
     Fit {
         /// Label of the mode.
         label: String,
-        /// Why not.
+        /// The reason.
         error: FitError,
     },
     /// The polynomial cannot be rounded.
@@ -72,7 +72,7 @@ pub enum ShapesError {
     Rounding {
         /// Label of the mode.
         label: String,
-        /// Why not.
+        /// The reason.
         error: RoundingError,
     },
     /// The flexible tower begins outside the tower.
@@ -180,7 +180,7 @@ pub fn shape_name(plane: Plane, number: usize) -> String {
     format!("Tw{plane}M{number}Sh")
 }
 
-/// The torsion of a shape with a larger fraction of its energy in torsion is worth a note.
+/// If a shape has a larger fraction of its energy in torsion, a note reports it.
 const MUCH_TORSION: f64 = 0.1;
 
 impl TowerShapes {

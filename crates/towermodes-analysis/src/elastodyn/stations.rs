@@ -8,8 +8,8 @@ use towermodes::tower::{Piece, Planes, PointMass, Section, Tower};
 
 /// The relative error of mass and frequencies with rows chosen automatically.
 const ACCURACY: f64 = 1e-6;
-/// The distance of the two rows of a step as a fraction of the height: ElastoDyn needs rising
-/// heights.
+/// The distance of the two rows of a step as a fraction of the height, because ElastoDyn needs
+/// increasing heights.
 const STEP: f64 = 1e-6;
 /// Cuts closer than this fraction of the height are merged.
 const CLOSEST: f64 = 4.0 * STEP;
@@ -23,7 +23,7 @@ pub enum Rows {
     /// linear between the rows.
     #[default]
     Accurate,
-    /// About this number, and at least those that steps and kinks need.
+    /// About this number, but at least as many rows as steps and kinks need.
     Count(usize),
 }
 
@@ -70,7 +70,8 @@ pub enum RowsError {
     },
 }
 
-/// A part of the tower over which mass and stiffness are smooth, with its distributed mass.
+/// A part of the tower over which mass and stiffness have no step and no kink, with its distributed
+/// mass.
 struct Part<'a> {
     piece: &'a Piece,
     base_m: f64,
@@ -121,15 +122,15 @@ pub fn tower_rows(
     })
 }
 
-/// A mass that is spread over a part of the tower.
+/// A point mass that is distributed over a part of the tower.
 struct Spread {
     base_m: f64,
     top_m: f64,
     mass_kg: f64,
 }
 
-/// Each mass over a part of the height with the mass in its middle, or as near as possible at an
-/// end of the tower.
+/// Distributes each mass over a part of the height whose middle is at the mass, or as near as
+/// possible at an end of the tower.
 fn spread_over(masses: &[&PointMass], from_m: f64, top_m: f64, parts: usize) -> Vec<Spread> {
     let whole_m = top_m - from_m;
     let length_m = whole_m / parts.max(1) as f64;
@@ -147,8 +148,8 @@ fn spread_over(masses: &[&PointMass], from_m: f64, top_m: f64, parts: usize) -> 
 }
 
 /// The heights of kinks and steps, m: the ends of pieces and of distributed masses. Heights that
-/// are closer together than rows can be are merged in their middle, so that each part is longer
-/// than a step is wide and a step that was read from two rows does not move.
+/// are closer together than rows can be are replaced by their middle, so that each part is longer
+/// than a step is wide and a step that was read from two rows keeps its height.
 fn cuts(tower: &Tower, from_m: f64, spread: &[Spread]) -> Vec<f64> {
     let top_m = tower.top_m();
     let closest_m = CLOSEST * (top_m - from_m);
@@ -171,8 +172,8 @@ fn cuts(tower: &Tower, from_m: f64, spread: &[Spread]) -> Vec<f64> {
     cuts_m
 }
 
-/// The parts between the cuts with the masses distributed over them, whose sum is exact although
-/// the ends of the masses are rounded.
+/// The parts between the cuts with the masses distributed over them; the total mass is exact
+/// although the ends of the distributed masses are rounded.
 fn parts_of<'a>(tower: &'a Tower, from_m: f64, spread: &[Spread]) -> Vec<Part<'a>> {
     let cuts_m = cuts(tower, from_m, spread);
     let nearest = |height_m: f64| {
@@ -229,7 +230,7 @@ fn share_out(parts: &mut [Part<'_>], rows: Rows) -> Result<(), RowsError> {
 }
 
 impl Part<'_> {
-    /// Rows at equal distances from the base to the top of the part.
+    /// Equally spaced rows from the base to the top of the part.
     fn stations(&self, fraction: impl Fn(f64) -> f64) -> Vec<TowerStation> {
         let station = |k: usize| {
             let s = k as f64 / self.intervals as f64;
@@ -273,7 +274,7 @@ impl Part<'_> {
         }
     }
 
-    /// The largest h² f″/f over the whole part, from the curvature of each quarter, because it can
+    /// The largest h² f″/f over the whole part, from the curvature of each quarter, because it may
     /// vary over the part.
     fn bends(&self) -> [f64; 3] {
         let values: [[f64; 3]; 5] = std::array::from_fn(|k| {

@@ -13,7 +13,7 @@ pub(super) struct Sums {
     pub(super) tower_mass_kg: f64,
 }
 
-/// An element at its centre.
+/// An element, with the values at its centre.
 struct Element {
     x: f64,
     mass_kg: f64,
@@ -21,12 +21,13 @@ struct Element {
     stiffness: f64,
     /// g (mass above) h, N m.
     weight_n: f64,
-    /// Length of the whole tower, which derivatives by height are over.
+    /// Length of the whole tower, to which the derivatives with respect to height refer.
     length_m: f64,
 }
 
 impl TowerModel {
-    /// The sums over the elements, from the top down, since gravity needs the mass above each.
+    /// The sums over the elements, from the top down, because gravity needs the mass above each
+    /// element.
     pub(super) fn sums(&self, plane: Plane, shapes: &[TowerPolynomial; 2]) -> Sums {
         let step_m = self.flexible_length_m / self.nodes as f64;
         let attached_kg = self.attached_by_element();
@@ -54,8 +55,8 @@ impl TowerModel {
         sums
     }
 
-    /// Mass per length (kg/m) and bending stiffness (N m²) at x, between a row and the one below
-    /// it.
+    /// Mass per length (kg/m) and bending stiffness (N m²) at x, between a row and the next lower
+    /// one.
     fn between(&self, row: usize, x: f64, plane: Plane) -> (f64, f64) {
         let (below, above) = (&self.stations[row - 1], &self.stations[row]);
         let rise = above.height_fraction - below.height_fraction;

@@ -1,9 +1,9 @@
 //! The influence of the input values of a tower on its frequencies, and the effect of their
 //! tolerances.
 //!
-//! The influence of a number on a mode is its elasticity: percent of the frequency per percent of
-//! the number. Heights are counted from an arbitrary datum, so their percent is one of the height
-//! of the tower.
+//! The influence of an input value on a mode is its elasticity: the change of the frequency in
+//! percent for a 1 % change of the input value. Heights have an arbitrary datum, so for a height 1
+//! % means 1 % of the tower height.
 
 mod tolerance;
 
@@ -13,11 +13,10 @@ use towermodes::{
     Change, Derivative, NoDerivative, Operation, SensitivityError, Solver, Tower, TowerDescription,
 };
 
-/// Smaller influences, percent of a frequency per percent of a number, are below what a drawing
-/// knows.
+/// Elasticities below this value are negligible compared with the uncertainty of input values.
 pub const NEGLIGIBLE: f64 = 1e-4;
 
-/// The reference of the percent of an influence.
+/// The reference of the percentage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -31,10 +30,10 @@ pub enum Basis {
     Zero,
 }
 
-/// The influence of one number, or of a change of several, on the frequencies.
+/// The influence of one input value, or of a change of several, on the frequencies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Influence {
-    /// The name of the number or the change.
+    /// The name of the input value or of the change.
     pub name: String,
     /// The operation of the change on its value.
     pub operation: Operation,
@@ -42,9 +41,10 @@ pub struct Influence {
     pub value: f64,
     /// Its unit.
     pub unit: &'static str,
-    /// The reference of the percent.
+    /// The reference of the percentage.
     pub basis: Basis,
-    /// The factor on the derivative for a change by one hundred percent, in the unit of the change.
+    /// The change by one hundred percent, in the unit of the change: the factor from derivative to
+    /// elasticity.
     whole: f64,
     /// The frequency of each mode, extrapolated, Hz.
     frequencies_hz: Vec<f64>,
@@ -57,13 +57,13 @@ pub struct Influence {
 }
 
 impl Influence {
-    /// The largest elasticity over the modes, without its sign.
+    /// The largest absolute value of the elasticities of all modes.
     pub fn largest(&self) -> f64 {
         let known = self.elasticities.iter().flatten();
         known.fold(0.0, |most, elasticity| most.max(elasticity.abs()))
     }
 
-    /// The derivative of a mode's frequency, by its place in the list: percent of the frequency per
+    /// The derivative of a mode's frequency, by the index of the mode: percent of the frequency per
     /// unit of the value.
     pub fn percent_per_unit(&self, mode: usize) -> Option<f64> {
         let derivative = self.derivatives.get(mode)?.as_ref().ok()?;
@@ -96,7 +96,7 @@ pub struct InfluencedMode {
     pub frequency_hz: f64,
 }
 
-/// The influence of the numbers of a tower on its frequencies.
+/// The influence of the input values of a tower on its frequencies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Influences {
     /// The modes by frequency.
@@ -106,13 +106,13 @@ pub struct Influences {
 }
 
 impl Influences {
-    /// The numbers by falling influence on any of the modes.
+    /// The input values by decreasing influence on any of the modes.
     pub fn ranked(&self) -> Vec<&Influence> {
         self.ranked_by(Influence::largest)
     }
 
-    /// The numbers by the falling effect of their tolerances on any of the modes; numbers without a
-    /// tolerance last.
+    /// The input values by decreasing effect of their tolerances on any of the modes; input values
+    /// without a tolerance last.
     pub fn ranked_with(
         &self,
         tolerances: &Tolerances,
@@ -137,7 +137,8 @@ impl Influences {
     }
 }
 
-/// A size to six digits, so that rounding does not decide the order of equal influences.
+/// A value rounded to six digits, so that rounding errors do not determine the order of equal
+/// influences.
 fn without_rounding(size: f64) -> f64 {
     let decade = size.log10().floor();
     match decade.is_finite() {
@@ -149,7 +150,7 @@ fn without_rounding(size: f64) -> f64 {
     }
 }
 
-/// Computes the influence of every number of a tower, or of the changes given, on its lowest
+/// Computes the influence of every input value of a tower, or of the given changes, on its lowest
 /// frequencies.
 ///
 /// # Errors
@@ -216,7 +217,7 @@ pub fn influences(
     })
 }
 
-/// The reference of a percent, and the value of one hundred percent in the unit of the change.
+/// The reference of the percentage, and one hundred percent in the unit of the change.
 fn basis(change: &Change, value: f64, height_m: f64) -> (Basis, f64) {
     let is_height = change.parameters().iter().all(|one| one.is_height());
     match change.operation() {

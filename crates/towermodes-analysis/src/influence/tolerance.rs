@@ -1,33 +1,34 @@
-//! Tolerances of numbers, and the scatter of the frequencies that they make together.
+//! Tolerances of input values, and the combined scatter of the frequencies.
 
 use towermodes::{Change, ParameterError, TowerDescription};
 
 use super::Influences;
 
-/// A tolerance of a number.
+/// A tolerance of an input value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Tolerance {
-    /// Percent of the value; of a height, percent of the height of the tower.
+    /// Percent of the value; for a height, percent of the tower height.
     Percent(f64),
-    /// An amount in the unit of the number.
+    /// An amount in the unit of the input value.
     Amount(f64),
 }
 
-/// Tolerances of numbers by name.
+/// Tolerances of input values by name.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tolerances {
-    /// The tolerance of the numbers that have none of their own, heights excepted: a tolerance of
-    /// each height would be one of each length.
+    /// The tolerance of input values without a tolerance of their own, except heights: a tolerance
+    /// of each height would be a tolerance of each length between stations.
     pub of_others: Option<Tolerance>,
-    /// Names of changes with their tolerances; the last one that has a number counts.
+    /// Names of changes with their tolerances; if several contain the same input value, the last
+    /// one applies.
     pub named: Vec<(Change, Tolerance)>,
 }
 
 impl Tolerances {
-    /// With tolerances of numbers by name.
+    /// Adds tolerances of input values by name.
     ///
     /// # Errors
-    /// [`ParameterError`]: the tower has no such number.
+    /// [`ParameterError`]: the tower has no such input value.
     pub fn new(
         of_others: Option<Tolerance>,
         named: &[(String, Tolerance)],
@@ -43,12 +44,12 @@ impl Tolerances {
         })
     }
 
-    /// Whether there are none.
+    /// Whether there are no tolerances.
     pub fn is_empty(&self) -> bool {
         self.of_others.is_none() && self.named.is_empty()
     }
 
-    /// The tolerance of a change with a name; none if it has none.
+    /// The tolerance of a change by its name; none if it has no tolerance.
     pub fn of(&self, change: &str, description: &TowerDescription) -> Option<Tolerance> {
         let own = Change::parse(change, description).ok();
         let has = |named: &&(Change, Tolerance)| {

@@ -18,7 +18,7 @@ use towermodes::{BladeFamily, SolveError};
 /// DIBt, *Richtlinie für Windenergieanlagen*, 2012: f_R/f₀ ≤ 0.95 or ≥ 1.05).
 pub const DEFAULT_MARGIN: f64 = 0.05;
 
-/// Diagrams go to this many times the highest operating speed.
+/// Diagrams extend to this multiple of the highest operating speed.
 pub const BEYOND_OPERATION: f64 = 1.2;
 
 /// Options of a Campbell diagram.
@@ -35,8 +35,8 @@ pub struct CampbellOptions {
     /// to [`BEYOND_OPERATION`] times the highest operating speed. The lowest and the highest
     /// operating speed are added if they are not among them.
     pub speeds: usize,
-    /// Whether the speeds of the rotor are its operating speeds, as they are by default. Otherwise
-    /// they are only the ends of the diagram, and it has no verdicts.
+    /// Whether the speeds of the rotor are its operating speeds, as by default. Otherwise they are
+    /// only the ends of the diagram, and it has no verdicts.
     pub speeds_are_known: bool,
 }
 
@@ -53,7 +53,7 @@ impl Default for CampbellOptions {
 }
 
 impl CampbellOptions {
-    /// The multiples of the rotor speed, rising, each once.
+    /// The multiples of the rotor speed, in increasing order, each once.
     pub fn multiples_of(&self, rotor: &Rotor) -> Vec<usize> {
         let blades = rotor.blades;
         let mut multiples = match &self.multiples[..] {
@@ -88,7 +88,8 @@ pub enum Excited {
         /// Its order in the family, from 1.
         order: usize,
     },
-    /// A mode of the whole turbine at speeds at which it has one name; see [`mod@crate::whirl`].
+    /// A mode of the whole turbine over the speeds at which it has one name; see
+    /// [`mod@crate::whirl`].
     Turbine {
         /// The name.
         name: TurbineModeName,
@@ -106,8 +107,8 @@ pub struct FrequencyLine {
     pub of: Excited,
     /// Its name: "1st fore-aft bending", "blade 1st flap".
     pub label: String,
-    /// Rotor speed (rpm) and natural frequency (Hz) in the order of rising speed, from standstill.
-    /// A tower mode has the two ends of its horizontal line.
+    /// Rotor speed (rpm) and natural frequency (Hz) by increasing speed, from standstill. The line
+    /// of a tower mode is horizontal and has two points.
     pub points: Vec<[f64; 2]>,
     /// The largest estimated error of the frequencies, Hz.
     pub error_hz: f64,
@@ -116,7 +117,7 @@ pub struct FrequencyLine {
 }
 
 impl FrequencyLine {
-    /// Whether it is judged as a blade mode, of a blade alone or of the blades of a turbine.
+    /// Whether it is assessed as a blade mode, of a single blade or of the blades of a turbine.
     pub fn is_of_blade(&self) -> bool {
         self.class() == ModeClass::Blades
     }
@@ -129,8 +130,8 @@ impl FrequencyLine {
         }
     }
 
-    /// Whether it has the name of the first mode of a family, as the lines of a turbine that are
-    /// chosen for it always have.
+    /// Whether its mode has the name of the first mode of a family. The lines of a turbine in
+    /// [`Campbell::first_bending`] always have it.
     pub(super) fn is_named_first_of(&self, family: Family) -> bool {
         match self.of {
             Excited::Tower {
@@ -141,7 +142,8 @@ impl FrequencyLine {
         }
     }
 
-    /// Whether both have the modes of one name: a turbine has a line for each curve with the name.
+    /// Whether both lines have the same mode name: a turbine has a line for each curve with the
+    /// name.
     pub fn is_of_same_mode(&self, other: &Self) -> bool {
         match (self.of, other.of) {
             (Excited::Turbine { name, .. }, Excited::Turbine { name: other, .. }) => name == other,
@@ -156,8 +158,8 @@ impl FrequencyLine {
 pub struct LineEnd {
     /// The first rotor speed at which the mode is not found, rpm.
     pub rotor_speed_rpm: f64,
-    /// The modal assurance criterion of the closest mode there that is not another line's, 0 to 1
-    /// (1: the same shape).
+    /// The largest modal assurance criterion there with a mode that does not belong to another
+    /// line, 0 to 1 (1: the same shape).
     pub mac: f64,
 }
 
@@ -168,23 +170,23 @@ pub struct Margin {
     pub line: usize,
     /// The multiple n of the rotor speed Ω.
     pub multiple: usize,
-    /// The operating speed at which both are closest, rpm. A line that ends early counts up to its
-    /// end.
+    /// The operating speed at which both are closest, rpm. A line that ends early is considered up
+    /// to its end.
     pub nearest_rpm: f64,
     /// The excitation n Ω there, Hz.
     pub excitation_hz: f64,
     /// The natural frequency f there, Hz.
     pub natural_hz: f64,
     /// d = n Ω/f − 1 there, with the rotor speed Ω in Hz: negative if the excitation is below the
-    /// natural frequency, 0 if it crosses it.
+    /// natural frequency, 0 if they cross.
     pub distance: f64,
     /// The verdict on the distance.
     pub verdict: Verdict,
 }
 
 impl Margin {
-    /// Whether tables list it by default: the excitation is less than a factor 2 from the natural
-    /// frequency, or the pair does not pass.
+    /// Whether tables list it by default: excitation and natural frequency differ by less than a
+    /// factor of 2, or the verdict is not PASS.
     pub fn is_near(&self) -> bool {
         let ratio = 1.0 + self.distance;
         self.verdict.is_objection() || (0.5 < ratio && ratio < 2.0)
@@ -194,9 +196,9 @@ impl Margin {
 /// The stiffness class of a tower: where its first bending frequency lies among the excitations.
 ///
 /// In operation 1P ranges from the lowest to the highest rotor speed, and the blade passing
-/// frequency over the number of blades times that range. Where both ranges overlap (a wide range of
-/// speeds), a frequency in both counts as crossed by 1P, and no tower is soft-stiff. A rotor
-/// of one blade has one range: below it a tower is soft-soft, above it stiff-stiff.
+/// frequency over the number of blades times that range. If both ranges overlap (a wide range of
+/// speeds), a frequency in both counts as crossed by 1P, and no tower is soft-stiff. A rotor of one
+/// blade has one range: below it a tower is soft-soft, above it stiff-stiff.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StiffnessClass {
     /// Below 1P at the lowest operating speed.
@@ -219,30 +221,30 @@ pub struct Campbell {
     pub rotor: Rotor,
     /// The required distance, a fraction of the natural frequency.
     pub margin: f64,
-    /// The multiples of the rotor speed, rising.
+    /// The multiples of the rotor speed, in increasing order.
     pub multiples: Vec<usize>,
     /// The frequency below which the list of tower modes is complete, Hz; none if the list has all
     /// modes.
     pub known_to_hz: Option<f64>,
-    /// The lines: tower modes by frequency, then blade modes. A mode of a turbine has one for each
-    /// curve with its name.
+    /// The lines: tower modes by frequency, then blade modes. A mode of a turbine has a line for
+    /// each curve with its name.
     pub lines: Vec<FrequencyLine>,
-    /// The distance of every mode that is [judged](ModeClass::is_judged) from every multiple, by
-    /// line, then by multiple. Of a mode with several lines it is that of the worst.
+    /// The distance of every mode that is [assessed](ModeClass::is_judged) from every multiple, by
+    /// line, then by multiple. For a mode with several lines it is the distance of the worst line.
     pub margins: Vec<Margin>,
     /// The stiffness class of the first fore-aft and of the first side-side bending mode, if they
-    /// are in the list. Of modes that share the motion it is that of the lowest that [holds the
-    /// name](towermodes::modes::Holders). Empty if nothing is checked.
+    /// are in the list. If several modes share the motion, it is the class of the lowest mode that
+    /// [has a large share of it](towermodes::modes::Holders). Empty if nothing is checked.
     pub classes: Vec<(Family, StiffnessClass)>,
-    /// The indices of the lines of these modes, from 0, in the order of `classes` where there are
-    /// any.
+    /// The indices of the lines of these modes, from 0, in the order of `classes` if that is not
+    /// empty.
     pub first_bending: Vec<usize>,
-    /// Why there are no verdicts; empty if there are.
+    /// Why there are no verdicts; empty if there are verdicts.
     pub not_checked: Vec<NotChecked>,
 }
 
 impl Campbell {
-    /// Whether a distance is one of a first bending mode.
+    /// Whether a distance belongs to a first bending mode.
     #[must_use]
     pub fn is_of_first_bending(&self, margin: &Margin) -> bool {
         let own = &self.lines[margin.line];
@@ -257,16 +259,16 @@ impl Campbell {
         multiples.filter(|multiple| is_strong(*multiple, &self.rotor))
     }
 
-    /// Whether tables list a pair by default: it [is near](Margin::is_near), or it is a pair of a
-    /// first bending mode with 1P or the blade passing frequency.
+    /// Whether tables list a pair by default: it [is near](Margin::is_near), or it consists of a
+    /// first bending mode and 1P or the blade passing frequency.
     #[must_use]
     pub fn is_listed(&self, margin: &Margin) -> bool {
         let is_strong = is_strong(margin.multiple, &self.rotor);
         margin.is_near() || (is_strong && self.is_of_first_bending(margin))
     }
 
-    /// The pair that decides on the mode of a line: the one with the worst verdict, of equal
-    /// verdicts the one with the smallest distance.
+    /// The pair that determines the verdict on the mode of a line: the one with the worst verdict,
+    /// among equal verdicts the one with the smallest distance.
     #[must_use]
     pub fn decisive(&self, line: &FrequencyLine) -> Option<&Margin> {
         let margins = self.margins.iter();
@@ -313,13 +315,13 @@ pub enum CampbellError {
     /// The number of speeds is not 2 to 1000.
     #[error("the number of rotor speeds is {speeds}, but it must be 2 to 1000")]
     Speeds {
-        /// The number given.
+        /// The given number.
         speeds: usize,
     },
     /// The description of the rotor is invalid.
     #[error(transparent)]
     Rotor(#[from] TowerError),
-    /// The shapes of the solution are at other heights than the stations of the tower.
+    /// The shapes of the solution are at other heights than those of the tower.
     #[error("the solution is not of this tower")]
     OtherTower,
     /// The description of the blade is invalid.
@@ -330,7 +332,7 @@ pub enum CampbellError {
     Blade {
         /// The speed, rpm.
         rotor_speed_rpm: f64,
-        /// Why.
+        /// The error of the solver.
         error: SolveError,
     },
 }

@@ -29,9 +29,8 @@ impl fmt::Display for StiffnessClass {
     }
 }
 
-/// The stiffness class of a frequency, Hz. Where the ranges of 1P and of the blade passing
-/// frequency overlap, a frequency in both counts as crossed by 1P. A rotor of one blade has
-/// one range.
+/// The stiffness class of a frequency, Hz. If the ranges of 1P and of the blade passing frequency
+/// overlap, a frequency in both counts as crossed by 1P. A rotor of one blade has one range.
 pub(super) fn class(frequency_hz: f64, rotor: &Rotor) -> StiffnessClass {
     let range_hz = |multiple: usize| {
         let speeds = [rotor.lowest_rpm, rotor.highest_rpm];
@@ -55,7 +54,7 @@ pub(super) fn class(frequency_hz: f64, rotor: &Rotor) -> StiffnessClass {
 }
 
 /// The stiffness class of a mode whose frequency depends on the rotor speed: rotor speeds (rpm) and
-/// frequencies (Hz), among them the lowest and the highest operating speed. None without operating
+/// frequencies (Hz), including the lowest and the highest operating speed. None without operating
 /// speeds.
 pub(crate) fn class_along(points: &[[f64; 2]], rotor: &Rotor) -> Option<StiffnessClass> {
     let operates = |rpm: f64| (rotor.lowest_rpm..=rotor.highest_rpm).contains(&rpm);

@@ -1,5 +1,5 @@
-//! The conclusion of a Campbell diagram in sentences: the first bending frequencies first, then the
-//! pairs that fail or warn.
+//! The conclusion of a Campbell diagram in sentences: first the first bending frequencies, then the
+//! pairs with FAIL or WARN.
 
 use super::campbell::{Campbell, FrequencyLine, Margin, StiffnessClass, is_strong};
 use crate::verdict::Verdict;
@@ -7,20 +7,21 @@ use towermodes::modes::Family;
 use towermodes::number::{self, four_digits};
 use towermodes::tower::{Rotor, Rpm};
 
-/// Each sentence names at most this many pairs.
+/// Largest number of pairs that a sentence names.
 const NAMED: usize = 6;
 
 impl Campbell {
     /// The conclusion in sentences, the most important first.
     ///
-    /// The first sentence states where the first bending frequencies lie relative to 1P and the
-    /// blade passing frequency, and the smallest distance: "The first bending frequencies, 0.3187
-    /// Hz (side-side) and 0.3215 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from
-    /// 0.3450 Hz) at a distance of at least 7.3 %: soft-stiff." Two planes of different classes
-    /// have a sentence each. Then follow the pairs that fail; the warnings of tower modes with 1P
-    /// or the blade passing frequency, of tower modes with other multiples, and of blade modes;
-    /// and the range in which modes are [not covered](Self::uncovered_range_hz). A sentence on
-    /// warnings names only what has warnings. A diagram without verdicts says why instead.
+    /// The first sentence states the position of the first bending frequencies relative to 1P and
+    /// the blade passing frequency, and the smallest distance: "The first bending frequencies,
+    /// 0.3187 Hz (side-side) and 0.3215 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P
+    /// (from 0.3450 Hz) at a distance of at least 7.3 %: soft-stiff." If the planes have different
+    /// classes, each has a sentence. The next sentences name the pairs that fail; the warnings of
+    /// tower modes with 1P or the blade passing frequency, of tower modes with other multiples, and
+    /// of blade modes; and the range in which modes are [not covered](Self::uncovered_range_hz). A
+    /// sentence is omitted if it has nothing to name. For a diagram without verdicts the sentences
+    /// state the reasons instead.
     #[must_use]
     pub fn conclusion(&self) -> Vec<String> {
         if !self.not_checked.is_empty() {
@@ -39,14 +40,15 @@ impl Campbell {
     }
 
     /// The sentences of the [conclusion](Self::conclusion) on the first bending frequencies: their
-    /// place relative to 1P and the blade passing frequency, the smallest distance, and the class.
+    /// position relative to 1P and the blade passing frequency, the smallest distance, and the
+    /// class.
     #[must_use]
     pub fn placement(&self) -> Vec<String> {
         standing(self)
     }
 
     /// The sentences of the [conclusion](Self::conclusion) on modes without verdict: those that are
-    /// not judged, and the range in which modes are not covered.
+    /// not assessed, and the range in which modes are not covered.
     #[must_use]
     pub fn omissions(&self) -> Vec<String> {
         let uncovered = self.uncovered_range_hz().map(|[from_hz, to_hz]| {
@@ -60,8 +62,8 @@ impl Campbell {
     }
 }
 
-/// The modes that are listed and not judged: "Not judged: 6 local modes of the substructure, 2.510
-/// to 2.546 Hz, in which the tower has less than a quarter of the energy."
+/// The listed modes that are not assessed: "Not judged: 6 local modes of the substructure, 2.510 to
+/// 2.546 Hz, in which the tower has less than a quarter of the energy."
 fn unjudged(campbell: &Campbell) -> Option<String> {
     let lines = campbell.lines.iter();
     let local: Vec<&FrequencyLine> = lines.filter(|line| !line.class().is_judged()).collect();
@@ -145,11 +147,11 @@ fn sentence(campbell: &Campbell, firsts: &[First]) -> String {
     format!("The first {subject} {place}{distance}: {class}.")
 }
 
-/// A first bending mode in words.
+/// A first bending mode with the text of its name.
 struct Named<'a> {
     plane: &'static str,
     hz: String,
-    /// The name of the mode, if it has another one and shares this motion.
+    /// The name of the mode, if it has another name and shares this motion.
     shared_with: Option<&'a str>,
 }
 
@@ -191,7 +193,7 @@ fn subject(named: &[Named<'_>]) -> String {
     }
 }
 
-/// The frequency range of a class in words, and its name.
+/// The frequency range of a class as text, and the name of the class.
 fn place(class: StiffnessClass, rotor: &Rotor) -> (String, &'static str) {
     let passing = rotor.blades;
     let hz = |multiple: usize, rpm: f64| four_digits(multiple as f64 * rpm / 60.0);
@@ -218,8 +220,8 @@ fn place(class: StiffnessClass, rotor: &Rotor) -> (String, &'static str) {
     }
 }
 
-/// " at a distance of at least 7.3 %" from the excitations that bound the class; none if the
-/// diagram lacks one of these multiples.
+/// " at a distance of at least 7.3 %" from the excitations that limit the class; none if the
+/// diagram does not contain one of these multiples.
 fn least_distance(campbell: &Campbell, firsts: &[First]) -> Option<String> {
     let blades = campbell.rotor.blades;
     let mut least: Option<&Margin> = None;
@@ -251,7 +253,7 @@ fn least_distance(campbell: &Campbell, firsts: &[First]) -> Option<String> {
     })
 }
 
-/// The kinds of pairs that the conclusion names, each in one sentence.
+/// The kinds of pairs that the conclusion names, one sentence for each kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     /// A pair that fails.
@@ -293,7 +295,7 @@ impl Kind {
 }
 
 /// "2 warnings for 3P: 1st side-side bending (+8.2 % at 6.9 rpm) and …" or "3 warnings for 6P and
-/// 9P: 6P with …"; none if there are none.
+/// 9P: 6P with …"; none if there are no such pairs.
 fn remark(campbell: &Campbell, kind: Kind) -> Option<String> {
     let is_of_kind = |margin: &&Margin| Kind::of(campbell, margin) == Some(kind);
     let mut pairs: Vec<&Margin> = campbell.margins.iter().filter(is_of_kind).collect();
@@ -318,7 +320,7 @@ fn remark(campbell: &Campbell, kind: Kind) -> Option<String> {
     (!pairs.is_empty()).then(|| format!("{heading}: {}{more}.", groups.join("; ")))
 }
 
-/// The multiples of pairs in ascending order, each once.
+/// The multiples of pairs in increasing order, each once.
 fn multiples(pairs: &[&Margin]) -> Vec<usize> {
     let mut multiples: Vec<usize> = pairs.iter().map(|margin| margin.multiple).collect();
     multiples.sort_unstable();
@@ -357,7 +359,7 @@ fn listed(items: &[String]) -> String {
 mod tests {
     use super::Kind;
 
-    /// A sentence names only what has warnings.
+    /// The heading of a sentence names only multiples with warnings.
     #[test]
     fn the_heading_of_a_sentence_names_what_warns() {
         assert_eq!(Kind::Fail.heading(2, &[3]), "FAIL");

@@ -1,4 +1,4 @@
-//! The Campbell diagram: lines of tower and blade, margins, classes.
+//! The Campbell diagram: lines of tower and blade, distances, classes.
 
 use super::campbell::{
     BEYOND_OPERATION, Campbell, CampbellError, CampbellOptions, Excited, FrequencyLine, Margin,
@@ -21,19 +21,20 @@ const MOST_SPEEDS: usize = 1000;
 /// The Campbell diagram of a tower, and of a blade if given: natural frequencies against the
 /// multiples of the rotor speed, with distances and verdicts.
 ///
-/// The multiple n excites with n Ω/60 Hz at Ω rpm. Its distance from a natural frequency f (Hz) is
-/// d = n Ω/(60 f) − 1 at the operating speed with the smallest |d|; 0 if it crosses f. A tower mode
-/// has one frequency at all speeds.
+/// The multiple n has the excitation frequency n Ω/60 Hz at Ω rpm. Its distance from a natural
+/// frequency f (Hz) is d = n Ω/(60 f) − 1 at the operating speed with the smallest |d|; 0 if it
+/// crosses f. A tower mode has one frequency at all speeds.
 ///
-/// Blade modes are those in the rotating frame. They are solved at [`CampbellOptions::speeds`]
-/// equally spaced speeds from standstill to 1.2 times the highest operating speed, and at the
-/// lowest and highest operating speed. They keep their names at standstill and are followed by
-/// their shapes: greedy assignment by descending modal assurance criterion (with the masses of the
-/// blade), so that names do not jump where lines cross. Between two speeds f² is linear in Ω²
-/// (Southwell), so distances are exact except where modes veer. A line ends
-/// ([`FrequencyLine::lost`]) if no mode at the next speed has a similar shape, among eight times as
-/// many modes. If it ends below the highest operating speed, its distances cover the speeds before
-/// and the verdict is at best WARN; below the lowest operating speed it has no distances.
+/// The frequencies of blade modes are given in the rotating frame. Blade modes are solved at
+/// [`CampbellOptions::speeds`] equally spaced speeds from standstill to 1.2 times the highest
+/// operating speed, and at the lowest and highest operating speed. They keep their names at
+/// standstill and are followed by their shapes: greedy assignment by descending modal assurance
+/// criterion (with the masses of the blade), so that names do not jump where lines cross. Between
+/// two speeds f² is linear in Ω² (Southwell), so distances are exact except where modes veer. A
+/// line ends ([`FrequencyLine::lost`]) if no mode at the next speed has a similar shape, among
+/// eight times as many modes. If it ends below the highest operating speed, its distances cover the
+/// speeds before the end and the verdict is at best WARN; if it ends below the lowest operating
+/// speed, it has no distances.
 ///
 /// With the margin m, and f shifted by its estimated error towards the excitation:
 ///
@@ -42,20 +43,21 @@ const MOST_SPEEDS: usize = 1000;
 /// | tower mode, n = 1 and n = number of blades | \|d\| < m | m ≤ \|d\| < 2 m | 2 m ≤ \|d\| |
 /// | tower mode, other n; blade mode, any n | never | \|d\| < m | m ≤ \|d\| |
 ///
-/// A pair at 2 m or more that only the error of f brings below m warns and does not fail: the
-/// frequency is not known well enough.
+/// A pair with a distance of 2 m or more that is below m only with the error of f gives a warning,
+/// not a failure, because the frequency is not known accurately enough.
 ///
-/// An error of 10 to 20 % in a stiffness changes a frequency by 5 to 10 %: a pair that warns could
-/// then be at the limit. Other multiples are weaker; whether they matter depends on loads, which
-/// are not in this model. Local modes of a [substructure](ModeClass::Substructure) are lines of the
-/// diagram and have no distances: the tower, whose top the rotor excites, hardly moves in them. A
-/// frequency of 0 (a rigid-body mode without stiffness) is not checked;
-/// other rigid-body modes of a floating platform are checked like all modes.
+/// An error of 10 to 20 % in a stiffness changes a frequency by 5 to 10 %: the distance of a pair
+/// with a warning could then be at the limit. Other multiples are weaker; whether they are relevant
+/// depends on loads, which are not in this model. Local modes of a
+/// [substructure](ModeClass::Substructure) have lines in the diagram but no distances: the tower
+/// top, which the rotor excites, hardly moves in them. A frequency of 0 (a rigid-body mode without
+/// stiffness) is not checked; other rigid-body modes of a floating platform are checked like all
+/// modes.
 ///
-/// There are no verdicts and no classes ([`Campbell::not_checked`]) where the operating speeds are
-/// not known ([`CampbellOptions::speeds_are_known`]) or [implausible](Tower::rotor_warnings), the
-/// tower lacks [parts](Tower::missing_parts) of the structure, or its platform does not float: more
-/// than a tenth of the weight is [not balanced](Tower::vertical_imbalance).
+/// There are no verdicts and no classes ([`Campbell::not_checked`]) if the operating speeds are
+/// unknown ([`CampbellOptions::speeds_are_known`]) or [implausible](Tower::rotor_warnings), if the
+/// tower lacks [parts](Tower::missing_parts) of the structure, or if its platform is not in
+/// equilibrium: more than a tenth of the weight is [not balanced](Tower::vertical_imbalance).
 ///
 /// The error of a line is [`FrequencyLine::error_hz`]; for blade modes it is estimated at the first
 /// and the last speed.
@@ -65,8 +67,8 @@ const MOST_SPEEDS: usize = 1000;
 /// vector analysis* (1982).
 ///
 /// # Errors
-/// [`CampbellError`]: options, rotor or blade are invalid, the solution is of another tower, or the
-/// blade cannot be solved.
+/// [`CampbellError`]: options, rotor or blade are invalid, the solution belongs to another tower,
+/// or the blade cannot be solved.
 ///
 /// # Example
 /// See the [crate's front page](crate).
@@ -104,7 +106,7 @@ pub fn campbell(
     Ok(diagram.unless(not_checked(tower, rotor, options.speeds_are_known)))
 }
 
-/// The margins of all lines, for each line in the order of the multiples.
+/// The distances of all lines, for each line in the order of the multiples.
 pub(crate) fn margins(
     lines: &[FrequencyLine],
     rotor: &Rotor,
@@ -120,7 +122,7 @@ pub(crate) fn margins(
         .collect()
 }
 
-/// Checks what does not depend on a tower.
+/// Checks the options that do not depend on a tower.
 pub(crate) fn check_options(rotor: &Rotor, options: &CampbellOptions) -> Result<(), CampbellError> {
     let (margin, speeds) = (options.margin, options.speeds);
     if !(margin > 0.0 && margin < 1.0) {
@@ -169,8 +171,8 @@ fn tower_line(mode: &Mode, last_rpm: f64) -> FrequencyLine {
 }
 
 /// The index of the first bending mode of each plane, if it is in the list and its frequency is not
-/// 0: of the modes that hold the name of the first mode, the lowest. The one with the name can be
-/// another where modes share the motion, and after a small change of the tower a third one.
+/// 0: the lowest of the modes with a large share of the motion of the first mode. If several modes
+/// share this motion, a small change of the tower can give the name to another of them.
 fn first_bending_modes(solution: &Solution) -> Vec<(Family, usize)> {
     let planes = [Family::ForeAft, Family::SideSide].into_iter();
     let names = planes.map(|family| ModeName { family, order: 1 });

@@ -4,15 +4,15 @@ use super::campbell::{FrequencyLine, Margin, is_strong};
 use crate::verdict::Verdict;
 use towermodes::tower::Rotor;
 
-/// The distance of a line from a multiple of the rotor speed, at the operating speed where both
-/// are closest; none for a frequency of 0, for a mode that is not judged, and for a line that has
-/// no operating speeds. A line that is lost within the operating speeds does not pass, because the
-/// rest is unknown; one that begins or ends there without being lost is beyond the frequencies of
-/// the diagram at the other speeds.
+/// The distance of a line from a multiple of the rotor speed, at the operating speed where both are
+/// closest; none for a frequency of 0, for a mode that is not assessed, and for a line without
+/// operating speeds. A line that is lost within the operating speeds does not pass, because its
+/// rest is unknown; a line that begins or ends there without being lost is outside the frequency
+/// range of the diagram at the other speeds.
 ///
 /// Between neighbouring points of a line f² is linear in Ω²: constant for a tower mode, Southwell's
-/// rule for a blade mode. So n Ω/f is monotonic between two points and closest to 1 at one of them
-/// or at a crossing, which is solved exactly.
+/// rule for a blade mode. Therefore n Ω/f is monotonic between two points, and it is closest to 1
+/// at one of them or at a crossing, which is computed exactly.
 pub(super) fn margin(
     (number, line): (usize, &FrequencyLine),
     multiple: usize,
@@ -52,7 +52,7 @@ pub(super) fn margin(
 /// not depend on the rotor speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TowerMargin {
-    /// n Ω/f − 1 at the operating speed where it is smallest; 0 where they meet.
+    /// n Ω/f − 1 at the operating speed where its absolute value is smallest; 0 if they cross.
     pub distance: f64,
     /// Whether |n Ω/f − 1| is below the required distance if the frequency is shifted by its error
     /// towards the excitation.
@@ -62,9 +62,9 @@ pub struct TowerMargin {
 }
 
 /// The distance of a multiple of the rotor speed from a natural frequency of a tower, and its
-/// verdict by the rules of [`campbell`](super::campbell()), for many towers: without a diagram, and
-/// without allocation. `least` is the required distance, [`DEFAULT_MARGIN`](super::DEFAULT_MARGIN)
-/// for example; `error_hz` is the error of the frequency.
+/// verdict by the rules of [`campbell`](super::campbell()), for many towers: without a diagram and
+/// without memory allocation. `least` is the required distance, for example
+/// [`DEFAULT_MARGIN`](super::DEFAULT_MARGIN); `error_hz` is the error of the frequency.
 ///
 /// None for a frequency that is 0 or not a number.
 ///
@@ -101,7 +101,8 @@ pub fn tower_margin(
     })
 }
 
-/// The smallest n Ω/f − 1 of all operating speeds; of two equal ones that of the lower speed.
+/// The n Ω/f − 1 with the smallest absolute value over all operating speeds; of two equal ones that
+/// at the lower speed.
 fn nearest_distance(frequency_hz: f64, multiple: usize, rotor: &Rotor) -> Option<f64> {
     if frequency_hz.is_nan() || frequency_hz <= 0.0 {
         return None;
@@ -118,8 +119,8 @@ fn nearest_distance(frequency_hz: f64, multiple: usize, rotor: &Rotor) -> Option
 /// The verdict on a distance. 1P and the blade passing frequency excite a tower most; higher
 /// multiples, and the excitation of blade modes, are weaker and do not fail.
 ///
-/// A pair that would pass without the error of its frequency does not fail either: the frequency is
-/// not known well enough.
+/// A pair that would pass without the error of its frequency does not fail, because the frequency
+/// is not known accurately enough.
 fn verdict(distance: f64, cautious: f64, least: f64, is_strong: bool) -> Verdict {
     match is_strong {
         true if cautious < least && distance < 2.0 * least => Verdict::Fail,
@@ -145,7 +146,7 @@ fn cautious(line: &FrequencyLine, multiple: usize, range_rpm: [f64; 2], distance
     }
 }
 
-/// A point of a line and the excitation at its speed.
+/// A point of a line with the distance of the excitation at its speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Pair {
     rpm: f64,
@@ -166,8 +167,8 @@ impl Pair {
         }
     }
 
-    /// The intersection of excitation and line between two points on different sides of it:
-    /// (n Ω)² − f² is linear in Ω² there.
+    /// The intersection of excitation and line between two points on different sides of it: between
+    /// them (n Ω)² − f² is linear in Ω².
     fn meeting(a: &Self, b: &Self) -> Self {
         let above = |pair: &Self| pair.excitation_hz.powi(2) - pair.natural_hz.powi(2);
         let (above_a, above_b) = (above(a), above(b));
@@ -182,7 +183,8 @@ impl Pair {
     }
 }
 
-/// The closest point of a line and a multiple within a range of speeds; the lowest of equal ones.
+/// The closest point of a line to a multiple within a range of speeds; of equal ones the lowest
+/// speed.
 fn nearest(points: &[[f64; 2]], multiple: usize, range_rpm: [f64; 2]) -> Option<Pair> {
     if points.iter().any(|[_, hz]| hz.is_nan() || *hz <= 0.0) {
         return None;
@@ -203,7 +205,7 @@ fn nearest(points: &[[f64; 2]], multiple: usize, range_rpm: [f64; 2]) -> Option<
     })
 }
 
-/// The frequency of a line at a speed: at its points as they are, f² linear in Ω² between them.
+/// The frequency of a line at a speed: exact at its points, f² linear in Ω² between them.
 fn frequency_hz(points: &[[f64; 2]], rpm: f64) -> f64 {
     let above = points.partition_point(|point| point[0] < rpm);
     let Some(&[above_rpm, above_hz]) = points.get(above.min(points.len() - 1)) else {
@@ -218,7 +220,7 @@ fn frequency_hz(points: &[[f64; 2]], rpm: f64) -> f64 {
     between([below_hz, above_hz], share)
 }
 
-/// The number whose square is interpolated linearly between the squares of two.
+/// Interpolation of a number so that its square is linear between the squares of two numbers.
 fn between([a, b]: [f64; 2], share: f64) -> f64 {
     if a == b {
         return a;

@@ -3,12 +3,12 @@
 use towermodes::Mode;
 use towermodes::modes::Family;
 
-/// Members of a substructure have so much of the energy of their own modes: the tower, whose top
-/// the rotor excites, has less than a quarter.
+/// A mode with at least this share of its energy in members of a substructure is a local mode of
+/// them: the tower, whose top the rotor excites, has less than a quarter.
 const LOCAL: f64 = 0.75;
 
-/// Class of a mode, by the shares of its energy. It determines the verdicts on excitations by the
-/// rotor.
+/// Class of a mode, determined by the shares of its energy. It determines the verdicts on
+/// excitations by the rotor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -36,7 +36,8 @@ impl ModeClass {
         Self::by_shares(mode.shares.of(Family::Substructure), platform, 0.0)
     }
 
-    /// By the shares of what it stands on and of its drives; the rest is that of the tower.
+    /// The class from the shares of substructure, platform and drives; the remaining energy is in
+    /// the tower.
     pub(crate) fn by_shares(substructure: f64, platform: f64, drives: f64) -> Self {
         match substructure {
             _ if substructure >= LOCAL => Self::Substructure,
@@ -57,12 +58,12 @@ impl ModeClass {
         }
     }
 
-    /// Whether excitations of it are judged.
+    /// Whether excitations of the mode get a verdict.
     pub fn is_judged(self) -> bool {
         self != Self::Substructure
     }
 
-    /// Whether it is judged as a mode of the tower.
+    /// Whether the verdicts are determined as for a tower mode.
     pub fn counts_as_tower(self) -> bool {
         matches!(self, Self::Tower | Self::Platform | Self::Drivetrain)
     }

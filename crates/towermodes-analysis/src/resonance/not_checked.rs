@@ -1,4 +1,4 @@
-//! Data that a diagram needs for verdicts: the operating speeds, and the whole structure.
+//! Data that a diagram needs for verdicts: the operating speeds, and the complete structure.
 
 use std::fmt;
 
@@ -9,14 +9,14 @@ use towermodes::{Family, MissingParts, Solution};
 /// Why a diagram has no verdicts and no classes.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NotChecked {
-    /// The operating speeds are unknown; those of the rotor are only the ends of the diagram.
+    /// The operating speeds are unknown; the speeds of the rotor are only the ends of the diagram.
     SpeedsUnknown,
-    /// No turbine of this size has these operating speeds: probably they are in another unit.
+    /// No turbine of this size has these operating speeds: they are probably in another unit.
     SpeedsImplausible(Rotor),
-    /// The frequencies are not those of the whole structure.
+    /// The model does not contain the whole structure.
     PartsMissing(MissingParts),
-    /// The platform does not float as it is described: weight, buoyancy and mooring lines leave
-    /// this vertical force, as a fraction of the weight.
+    /// The platform is not in equilibrium in the described position: the sum of weight, buoyancy
+    /// and mooring forces is this vertical force, as a fraction of the weight.
     OutOfBalance(f64),
 }
 
@@ -37,7 +37,7 @@ impl fmt::Display for NotChecked {
     }
 }
 
-/// The highest speed of turbines in operation for which a unit is suggested, rpm.
+/// The range of the highest operating speed of turbines for which a unit is suggested, rpm.
 const LIKELY_RPM: std::ops::Range<f64> = 4.0..40.0;
 
 /// "no turbine of this size has a rotor speed of 0.09 to 0.2 rpm; if the value is in Hz, the speed
@@ -63,17 +63,17 @@ fn implausible(rotor: &Rotor, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
-/// The fastest blade tips of a diagram whose operating speeds are unknown, m/s; those of large
-/// turbines in operation move at 70 to 105 m/s.
+/// The highest blade tip speed of a diagram whose operating speeds are unknown, m/s; large turbines
+/// have 70 to 105 m/s in operation.
 const TIP_M_PER_S: f64 = 120.0;
 
-/// The diagram ends at this multiple of the speed at which 1P meets the first bending frequencies
-/// with a rigid rotor, so that it meets those with a flexible rotor too.
+/// The diagram ends at this multiple of the speed at which 1P crosses the first bending frequencies
+/// with a rigid rotor, so that it also includes the crossing with those with a flexible rotor.
 const BEYOND_FIRST: f64 = 1.1;
 
 /// A rotor whose operating speeds are unknown: from standstill to 1.1 times the speed at which 1P
-/// meets the higher of the first bending frequencies of both planes, but with blade tips of at most
-/// 120 m/s.
+/// crosses the higher of the first bending frequencies of both planes, but with blade tip speeds of
+/// at most 120 m/s.
 ///
 /// It gives the ends of a diagram without verdicts, see
 /// [`CampbellOptions::speeds_are_known`](super::CampbellOptions::speeds_are_known).
@@ -98,12 +98,12 @@ pub fn unknown_speeds(blades: usize, solution: &Solution, tip_radius_m: Option<f
     }
 }
 
-/// A platform that is further out of balance is not judged, as a fraction of the weight. Decks that
-/// are used leave up to a few percent, because they are not complete in ballast or lines; a draft
-/// that differs by this much is another platform.
+/// A floating platform with a larger imbalance, as a fraction of the weight, gets no verdicts.
+/// Decks in use have an imbalance of up to a few percent, because their data on ballast or lines
+/// are not complete; with a draft that differs by this much it is another platform.
 const MOST_OUT_OF_BALANCE: f64 = 0.1;
 
-/// The data that are missing for a tower and its rotor.
+/// The data that a diagram of this tower and rotor lacks for verdicts.
 pub(crate) fn not_checked(tower: &Tower, rotor: &Rotor, speeds_are_known: bool) -> Vec<NotChecked> {
     let parts = tower.missing_parts().cloned();
     let speeds = match speeds_are_known {
@@ -116,7 +116,7 @@ pub(crate) fn not_checked(tower: &Tower, rotor: &Rotor, speeds_are_known: bool) 
     speeds.into_iter().chain(parts).chain(balance).collect()
 }
 
-/// The imbalance of a floating platform that is too large for a verdict.
+/// The imbalance of a floating platform, if it is too large for a verdict.
 fn out_of_balance(tower: &Tower) -> Option<f64> {
     let share = tower.vertical_imbalance()?;
     (share.abs() > MOST_OUT_OF_BALANCE).then_some(share)

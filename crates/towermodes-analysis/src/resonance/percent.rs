@@ -17,8 +17,8 @@ impl Campbell {
         signed_percent(margin.distance, self.margin)
     }
 
-    /// The distance as tables show it: "+12.3 %", "crossing", or the rotor speed from which the
-    /// mode is missing, if the pair warns for this alone.
+    /// The distance in the form that tables show: "+12.3 %", "crossing", or the rotor speed from
+    /// which the mode is missing, if this is the only reason for the warning.
     #[must_use]
     pub fn distance_text(&self, margin: &Margin) -> String {
         match (self.missing_from_rpm(margin), margin.distance) {
@@ -36,8 +36,8 @@ impl Campbell {
         }
     }
 
-    /// The rotor speed (rpm) from which the mode of a pair is missing, if the pair warns for this
-    /// alone: as far as its line goes, the pair is far enough apart.
+    /// The rotor speed (rpm) from which the mode of a pair is missing, if this is the only reason
+    /// for the warning: up to the end of its line the distance is large enough.
     #[must_use]
     pub fn missing_from_rpm(&self, margin: &Margin) -> Option<f64> {
         let line = self.lines.get(margin.line)?;
@@ -84,7 +84,7 @@ mod tests {
         assert_eq!(said(5.000_000_01), "+5.000000");
     }
 
-    /// The margin may have digits of its own: 7.24 is less than 7.25 and is not shown as more.
+    /// The margin may have more digits: 7.24 is less than 7.25 and must not be shown as larger.
     #[test]
     fn a_margin_between_tenths_is_kept_apart() {
         assert_eq!(signed_percent(0.0724, 0.0725), "+7.2");

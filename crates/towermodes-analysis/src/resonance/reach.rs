@@ -8,7 +8,8 @@ use towermodes::{Solution, SolveError, Solver, Tower};
 
 impl Campbell {
     /// The frequency range (from, to), Hz, in which the tower may have modes that are not in the
-    /// list although an excitation comes close to them; none if the list covers all excitations.
+    /// list although an excitation comes close to this range; none if the list covers all
+    /// excitations.
     #[must_use]
     pub fn uncovered_range_hz(&self) -> Option<[f64; 2]> {
         let known_hz = self.known_to_hz?;
@@ -21,9 +22,9 @@ impl Campbell {
         (known_hz < reach_hz).then_some([known_hz, reach_hz])
     }
 
-    /// The worst verdict of all margins, and at best [`Verdict::Warn`] where the list of modes does
-    /// not [cover all excitations](Self::uncovered_range_hz); [`Verdict::Undecided`] where
-    /// something is [not checked](Campbell::not_checked).
+    /// The worst verdict of all pairs; at best [`Verdict::Warn`] if the list of modes does not
+    /// [cover all excitations](Self::uncovered_range_hz); [`Verdict::Undecided`] if a reason is in
+    /// [`Campbell::not_checked`].
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         if !self.not_checked.is_empty() {
@@ -57,12 +58,12 @@ pub fn reach_hz(rotor: &Rotor, options: &CampbellOptions) -> f64 {
     reaches.fold(0.0, f64::max)
 }
 
-/// The largest number of modes that [`solve_to_reach`] asks for.
+/// The largest number of modes for which [`solve_to_reach`] solves.
 pub const MOST_MODES: usize = 40;
 
 /// Solves for the number of modes in the options, and then for twice as many (at most
 /// [`MOST_MODES`]) until the list is complete up to `reach_hz` ([`reach_hz()`]) or the tower has no
-/// more modes. The options keep the number that was solved for.
+/// more modes. Afterwards the options contain the last number of modes.
 ///
 /// # Errors
 /// Those of [`Solver::solve_certain`].

@@ -1,4 +1,4 @@
-//! A Campbell diagram with remarks on its limits.
+//! A Campbell diagram with remarks on its limitations.
 
 use std::fmt;
 
@@ -14,17 +14,18 @@ use super::diagram::campbell;
 pub struct Assessment {
     /// The diagram.
     pub campbell: Campbell,
-    /// Its limits.
+    /// The remarks on its limitations.
     pub remarks: Vec<Remark>,
 }
 
-/// A limit of a Campbell diagram.
+/// A limitation of a Campbell diagram.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Remark {
     /// A value of the rotor looks like an input mistake.
     Rotor(Warning),
-    /// The blade has no modes at one of the speeds; the diagram has the modes of the tower only.
+    /// The blade cannot be solved at one of the speeds; the diagram contains only the modes of the
+    /// tower.
     BladeLeftOut(CampbellError),
     /// A blade mode could not be followed to the highest speed.
     ModeLost {
@@ -39,54 +40,55 @@ pub enum Remark {
         /// The operating speeds at which it is checked.
         covered: Covered,
     },
-    /// The excitations reach higher than the list of modes.
+    /// The excitations extend to higher frequencies than the list of modes.
     Uncovered {
         /// The frequency up to which the list is complete, Hz.
         known_hz: f64,
         /// The frequency up to which an excitation can be close to a mode, Hz.
         reach_hz: f64,
     },
-    /// The excitations reach higher than the modes of a turbine that are sought.
+    /// The excitations extend to higher frequencies than the search for modes of the turbine.
     AboveLimit {
-        /// The frequency up to which modes are sought, Hz.
+        /// The highest frequency of the search for modes, Hz.
         limit_hz: f64,
         /// The frequency up to which an excitation can be close to a mode, Hz.
         reach_hz: f64,
     },
-    /// At rotor speeds the turbine is unstable: fewer modes of negative energy are there than the
-    /// stiffness needs, and counts prove that none is missing.
+    /// The turbine is unstable at these rotor speeds: it has fewer modes of negative energy than
+    /// the stiffness requires, and eigenvalue counts prove that none is missing.
     Unstable {
         /// The lowest of these speeds, rpm.
         lowest_rpm: f64,
-        /// The highest, rpm.
+        /// The highest of these speeds, rpm.
         highest_rpm: f64,
         /// Number of these rotor speeds.
         speeds: usize,
-        /// The most modes that grow at one of them.
+        /// The largest number of growing modes at one of these speeds.
         growing: usize,
     },
-    /// At rotor speeds the stiffness is not positive definite and not all modes of negative energy
-    /// were found, but counts do not exclude that they are there.
+    /// At these rotor speeds the stiffness is not positive definite and not all modes of negative
+    /// energy were found, but the eigenvalue counts do not exclude that they exist.
     Uncertified {
         /// The lowest of these speeds, rpm.
         lowest_rpm: f64,
-        /// The highest, rpm.
+        /// The highest of these speeds, rpm.
         highest_rpm: f64,
         /// Number of these rotor speeds.
         speeds: usize,
-        /// The intervals of frequency in which counts do not exclude two more modes, Hz.
+        /// The frequency intervals in which the eigenvalue counts do not exclude two more modes,
+        /// Hz.
         unproven_hz: Vec<[f64; 2]>,
     },
-    /// Motions that nothing resists, or next to nothing.
+    /// Motions with no stiffness or almost none.
     Unresisted {
-        /// The most at one rotor speed.
+        /// The largest number of such motions at one rotor speed.
         motions: usize,
     },
     /// A mode of the turbine has negative energy.
     NegativeEnergy {
         /// Its name.
         label: String,
-        /// The lowest speed at which it has, rpm.
+        /// The lowest speed at which it has negative energy, rpm.
         from_rpm: f64,
     },
 }
@@ -200,11 +202,11 @@ impl fmt::Display for Remark {
 
 /// The [Campbell diagram](campbell) of a solved tower and its remarks.
 ///
-/// A blade that is invalid or has no modes at one of the speeds is left out with a remark, because
-/// the distances of the tower modes do not depend on it.
+/// A blade that is invalid or cannot be solved at one of the speeds is omitted with a remark,
+/// because the distances of the tower modes do not depend on it.
 ///
 /// # Errors
-/// As [`campbell`], but for those of the blade.
+/// As [`campbell`], except errors of the blade.
 pub fn assess(
     tower: &Tower,
     solution: &Solution,

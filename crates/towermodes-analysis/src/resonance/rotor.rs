@@ -1,4 +1,4 @@
-//! The rotor of an assessment: the data of a description, or other data in their place.
+//! The rotor of an assessment: the data of a description, or data that replace them.
 
 use towermodes::{Rotor, Solution};
 
@@ -7,7 +7,7 @@ use super::not_checked::unknown_speeds;
 /// The number of blades if it is not given.
 const USUAL_BLADES: usize = 3;
 
-/// Rotor data that replace those of a description; none for those that do not.
+/// Rotor data that replace those of a description; none for data that are not replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GivenRotor {
     /// The lowest and the highest operating speed, rpm.
@@ -23,17 +23,17 @@ pub struct ChosenRotor {
     pub rotor: Rotor,
     /// Whether the number of blades is the default of 3.
     pub blades_are_assumed: bool,
-    /// Whether the number of blades is that of [`GivenRotor`].
+    /// Whether the number of blades was given in [`GivenRotor`].
     pub blades_are_given: bool,
-    /// Whether the speeds are those of [`GivenRotor`].
+    /// Whether the speeds were given in [`GivenRotor`].
     pub speeds_are_given: bool,
     /// Whether the speeds are operating speeds; otherwise they are the ends of a diagram.
     pub speeds_are_known: bool,
 }
 
 impl GivenRotor {
-    /// The described rotor with these data in place of its own; none if the rotor speed is unknown.
-    /// A description may have the number of blades without the speed.
+    /// The described rotor with its data replaced by the given ones; none if the rotor speed is
+    /// unknown. A description may have the number of blades without the speed.
     pub fn in_place_of(
         &self,
         described: Option<Rotor>,
@@ -56,7 +56,7 @@ impl GivenRotor {
         })
     }
 
-    /// The rotor of a diagram where nothing gives the operating speeds: see [`unknown_speeds`].
+    /// The rotor of a diagram without operating speeds: see [`unknown_speeds`].
     pub fn without_speeds(
         &self,
         described_blades: Option<usize>,

@@ -62,7 +62,7 @@ pub(super) fn blade_lines(
     Ok(lines(tracks.unwrap_or_default(), modes, speeds_rpm))
 }
 
-/// Names by family and order at standstill.
+/// The lines, named by family and order at standstill.
 fn lines(tracks: Tracks, modes: usize, speeds_rpm: &[f64]) -> Vec<FrequencyLine> {
     let mut families: Vec<BladeFamily> = Vec::new();
     let followed = tracks.modes.into_iter().take(modes);
@@ -91,9 +91,9 @@ fn lines(tracks: Tracks, modes: usize, speeds_rpm: &[f64]) -> Vec<FrequencyLine>
 /// A blade to be solved at several speeds.
 struct Sweep {
     description: BladeDescription,
-    /// The places where shapes are compared: distances from the rotor axis, m, and the square roots
-    /// of the masses (kg) and polar inertias (kg m²) there.
+    /// The places where shapes are compared: distances from the rotor axis, m.
     radii_m: Vec<f64>,
+    /// The square roots of mass (kg) and polar inertia (kg m²) at each place.
     weights: Vec<[f64; 2]>,
     available: usize,
     solver: Solver,
@@ -123,8 +123,8 @@ impl Sweep {
         })
     }
 
-    /// Continues the tracks to a speed, with more modes if a followed mode is missing. A mode that
-    /// is still missing ends before.
+    /// Continues the tracks to a speed, with more modes if a followed mode is missing. The line of
+    /// a mode that is still missing ends before this speed.
     fn follow(
         &mut self,
         mut tracks: Tracks,
@@ -147,7 +147,7 @@ impl Sweep {
         Ok(tracks)
     }
 
-    /// The lowest modes at a speed, and some more.
+    /// The lowest modes at a speed, and some additional ones.
     fn solve(
         &mut self,
         rpm: f64,
@@ -176,8 +176,8 @@ impl Sweep {
         Ok(solution.modes.iter().map(seen).collect())
     }
 
-    /// Translations and the twist, each times the square root of its mass or inertia, which makes
-    /// modes at one speed nearly orthogonal.
+    /// Translations and twist, each multiplied by the square root of its mass or inertia, so that
+    /// modes at one speed are nearly orthogonal.
     fn weighted(&self, shape: &[ShapePoint]) -> Vec<f64> {
         let points = shape.iter().zip(&self.weights);
         let motions = points.flat_map(|(point, [mass, polar])| {
@@ -195,7 +195,7 @@ pub(super) mod tests {
     use towermodes::BladeFamily;
     use towermodes::blade::{BladeDescription, BladeSection};
 
-    /// A straight blade that does not stretch: nothing in it moves along the span.
+    /// A straight blade without axial flexibility: no section moves along the span.
     pub(in crate::resonance) fn blade(inertia_kg_m: f64) -> BladeDescription {
         let root = BladeSection {
             mass_kg_per_m: 1.0,
@@ -217,7 +217,7 @@ pub(super) mod tests {
         }
     }
 
-    /// A mode along the span is in no list of such a blade: all modes are searched, and then its
+    /// An axial mode is in no list of modes of such a blade: all modes are searched, and then its
     /// line ends.
     #[test]
     fn a_mode_that_is_nowhere_ends_its_line() {

@@ -4,7 +4,8 @@ use crate::assignment::Assignment;
 use crate::mac::mac;
 use towermodes::BladeFamily;
 
-/// Frequencies closer than this are a pair whose shapes any computation may mix.
+/// Modes whose frequencies are closer than this are a pair; a computation may give any combination
+/// of their shapes.
 const REPEATED: f64 = 1e-6;
 
 /// Two modes whose MACs with a followed mode differ by less than this are ambiguous: the modes
@@ -14,23 +15,23 @@ const AMBIGUOUS: f64 = 0.4;
 /// A mode of a blade at a speed.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Seen {
-    /// Hz.
+    /// Frequency, Hz.
     pub(super) frequency_hz: f64,
     pub(super) family: BladeFamily,
-    /// Motions where it was sampled, each times the root of the mass that moves so.
+    /// Motions at the samples, each multiplied by the square root of its mass.
     pub(super) shape: Vec<f64>,
-    /// Hz; none if it is not known at this speed.
+    /// Error of the frequency, Hz; none if it is not known at this speed.
     pub(super) error_hz: Option<f64>,
 }
 
-/// A mode followed.
+/// A mode that is followed.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Followed {
-    /// Its family at standstill, or at the first speed at which it is no pair with another.
+    /// Its family at standstill, or at the first speed at which it is not one of a pair.
     pub(super) family: Option<BladeFamily>,
-    /// Hz, at each speed so far.
+    /// Frequency at each speed so far, Hz.
     pub(super) frequencies_hz: Vec<f64>,
-    /// The largest error known, Hz.
+    /// The largest known error, Hz.
     pub(super) error_hz: f64,
     /// The MAC of the mode assigned to it at the first speed at which it is not found; its line
     /// ends before that speed.
@@ -73,7 +74,8 @@ impl Tracks {
         tracks
     }
 
-    /// Whether one of the first modes, if it was followed up to here, is not among those seen.
+    /// Whether one of the first modes, if it has been followed so far, is missing in the
+    /// assignment.
     pub(super) fn has_lost(&self, assignment: &Assignment, first: usize) -> bool {
         let mut modes = self.modes.iter().take(first).enumerate();
         modes.any(|(index, mode)| mode.lost.is_none() && assignment.found(index).is_err())
@@ -112,8 +114,8 @@ impl Tracks {
         }
     }
 
-    /// The MAC of each followed mode with each mode at this speed. The modes of a repeated pair
-    /// have the MAC with the plane that both span.
+    /// The MAC of each followed mode with each mode at this speed. For the modes of a repeated pair
+    /// it is the MAC with the plane that both span.
     fn macs(&self, seen: &[Seen]) -> Vec<Vec<f64>> {
         let rows = self.modes.iter().map(|mode| {
             let single = seen.iter().map(|s| mac(&mode.shape, &s.shape, None));
@@ -158,8 +160,8 @@ mod tests {
         [[cos, sin, 0.0], [-sin, cos, 0.0]]
     }
 
-    /// Follows two modes over speeds at which their shapes are turned into each other by these
-    /// angles, 0.1 Hz apart.
+    /// Follows two modes, 0.1 Hz apart, over speeds at which their shapes are rotated into each
+    /// other by these angles.
     fn followed(angles: &[f64]) -> Vec<Vec<f64>> {
         let at = |angle: f64| {
             let [first, second] = turned(angle);
@@ -175,8 +177,9 @@ mod tests {
         modes.map(|mode| mode.frequencies_hz).collect()
     }
 
-    /// Coarse steps pass through a veering: at 40 degrees (0.59 and 0.41 alike) the shapes are both
-    /// and are not taken on, so at 80 degrees each mode is the other line.
+    /// Large steps through a veering: at 40 degrees (MACs 0.59 and 0.41) the assignment is
+    /// ambiguous and the reference shapes are kept, so at 80 degrees each mode belongs to the other
+    /// line.
     #[test]
     fn modes_go_through_a_veering() {
         let angles = [40.0_f64, 80.0].map(f64::to_radians);
@@ -184,14 +187,15 @@ mod tests {
         assert_eq!(followed(&angles), expected);
     }
 
-    /// A shape that changes for good, little by little, stays one line.
+    /// A shape that changes permanently but slowly belongs to one line.
     #[test]
     fn slow_changes_are_followed() {
         let angles: Vec<f64> = (1..=9).map(|k| f64::from(10 * k).to_radians()).collect();
         assert_eq!(followed(&angles), [[1.0; 10], [1.1; 10]]);
     }
 
-    /// Of a pair any mixture may be seen; as a pair both are as they were.
+    /// A computation may give any combination of a pair of modes; the plane that both span remains
+    /// the same.
     #[test]
     fn pairs_may_be_mixed() {
         let [first, second] = turned(0.0);
@@ -228,7 +232,8 @@ mod tests {
         assert_eq!(tracks.modes[1].frequencies_hz, [1.1]);
     }
 
-    /// Fewer are seen than followed: what is seen stays with the mode that it is like.
+    /// Fewer modes are found than are followed: each found mode continues the line with a similar
+    /// shape.
     #[test]
     fn a_mode_too_few_shifts_no_other() {
         let [first, second] = turned(0.0);
@@ -242,8 +247,8 @@ mod tests {
         assert_eq!(tracks.modes[1].lost, None);
     }
 
-    /// Of a shape that is 0.4, 0.3 and 0.3 of three modes nothing is lost; without the last two it
-    /// is.
+    /// A shape with MACs of 0.4, 0.3 and 0.3 with three modes is not lost; without the last two
+    /// modes it is lost.
     #[test]
     fn a_mode_between_three_is_not_lost() {
         let shape = [0.4_f64, 0.3, 0.3].map(f64::sqrt);

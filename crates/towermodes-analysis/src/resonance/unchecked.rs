@@ -1,4 +1,4 @@
-//! A diagram without verdicts: what it has instead, and the sentences that say so.
+//! A diagram without verdicts: its content, and the sentences about it.
 
 use towermodes::number::four_digits;
 use towermodes::tower::Rpm;
@@ -8,7 +8,7 @@ use super::not_checked::NotChecked;
 use crate::verdict::Verdict;
 
 impl Campbell {
-    /// Without verdicts and classes, if there are reasons.
+    /// The diagram without verdicts and classes, if there are reasons.
     pub(crate) fn unless(mut self, reasons: Vec<NotChecked>) -> Self {
         if !reasons.is_empty() {
             for margin in &mut self.margins {
@@ -27,8 +27,8 @@ impl Campbell {
         !self.not_checked.contains(&NotChecked::SpeedsUnknown)
     }
 
-    /// The sentences on what is not checked: the reasons, then the rotor speeds at which the first
-    /// bending frequencies are excited, where the operating speeds are what is unknown.
+    /// The sentences on what is not checked: the reasons, then, if the operating speeds are
+    /// unknown, the rotor speeds at which the first bending frequencies are excited.
     pub(super) fn unchecked(&self) -> Vec<String> {
         let reasons = self.not_checked.iter();
         let reasons = reasons.map(|reason| format!("Not checked: {reason}."));

@@ -7,22 +7,22 @@ use towermodes::modes::Family;
 use towermodes::tower::{STANDARD_GRAVITY_M_PER_S2, Tower};
 use towermodes::{Method, Options, Solution, Solver};
 
-/// A smaller relative change of the first frequencies is not reported: it is a fifth of the usual
-/// margin, and other inputs are not known so well.
+/// A smaller relative change of the first frequencies is not reported: it is a fifth of the default
+/// margin, and other inputs are less accurate.
 const WORTH_A_WARNING: f64 = 0.01;
 
 /// The weight of a tower that is described without gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WeightLeftOut {
-    /// The relative change of the first bending frequency by the weight, of the plane in which it
-    /// changes more; negative if it is lower with gravity.
+    /// The relative change of the first bending frequency due to the weight, in the plane in which
+    /// it changes more; negative if the frequency is lower with gravity.
     pub change: f64,
 }
 
 impl WeightLeftOut {
-    /// The weight that a tower is described without, if it would change a first bending frequency
-    /// by more than 1 %. None with gravity, for a floating tower, whose water has gravity, and if
-    /// the tower buckles under its weight.
+    /// The neglected weight of a tower, if it would change a first bending frequency by more than 1
+    /// %. None if the description has gravity, for a floating tower, whose buoyancy includes
+    /// gravity, and if the tower would buckle under its weight.
     pub fn of(tower: &Tower) -> Option<Self> {
         if tower.gravity_m_per_s2() != 0.0 || tower.linear_platform().is_some() {
             return None;
@@ -35,8 +35,7 @@ impl WeightLeftOut {
         (change.abs() > WORTH_A_WARNING).then_some(Self { change })
     }
 
-    /// As [`of`](Self::of), for the tower of a diagram with verdicts; none for a diagram without
-    /// verdicts.
+    /// As [`of`](Self::of) for a diagram with verdicts; none for a diagram without verdicts.
     pub fn of_verdicts(tower: &Tower, campbell: &Campbell) -> Option<Self> {
         let has_verdicts = campbell.not_checked.is_empty();
         has_verdicts.then(|| Self::of(tower)).flatten()
@@ -84,8 +83,9 @@ mod tests {
         WeightLeftOut::of(&tower.expect("a tower")).map(|weight| weight.change)
     }
 
-    /// A heavy mass on a uniform clamped column: f is lower by half of the load over Euler's, π²
-    /// EI/(4 L²). Of the column's own weight 5/16 act, with the deflection by a force on the top.
+    /// A heavy mass on a uniform clamped column: f decreases relatively by half of the ratio of the
+    /// load to the buckling load π² EI/(4 L²). Of the weight of the column 5/16 is effective, for
+    /// the deflection curve due to a force at the top.
     #[test]
     fn the_change_is_half_the_ratio_of_load_to_buckling_load() {
         let (modulus, length_m, rna_kg) = (2.1e11_f64, 100.0_f64, 500e3);

@@ -1,4 +1,4 @@
-//! Frequencies and their verdicts over a band of soil stiffness, because the stiffness of soil is
+//! Frequencies and their verdicts over a range of soil stiffness, because the stiffness of soil is
 //! known within a factor of two at best; and over depths of scour.
 
 mod scour;
@@ -12,7 +12,7 @@ use crate::verdict::Verdict;
 
 pub use scour::{ScourCurve, scour_curve};
 
-/// The factors of the soil stiffness that show the band if nothing else is asked for.
+/// The default factors of the soil stiffness.
 pub const DEFAULT_FACTORS: [f64; 3] = [0.5, 1.0, 2.0];
 
 /// The lowest and the highest factor.
@@ -23,7 +23,7 @@ pub const FACTORS: [f64; 2] = [1e-3, 1e3];
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SoilBand {
-    /// The factors, rising; 1, the soil of the input, is one of them.
+    /// The factors in increasing order; 1, the soil of the input, is one of them.
     pub factors: Vec<f64>,
     /// The modes of the tower in the soil of the input, by frequency.
     pub modes: Vec<BandMode>,
@@ -39,14 +39,14 @@ pub struct SoilBand {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BandMode {
-    /// Its name, as "1st fore-aft bending".
+    /// Its name, for example "1st fore-aft bending".
     pub label: String,
     /// Its family.
     pub family: Family,
     /// Its order in the family, from 1.
     pub order: usize,
-    /// Its values at each factor; null where the tower could not be solved or has no mode of this
-    /// name among the requested modes.
+    /// Its values at each factor; null if the tower could not be solved or has no mode of this name
+    /// among the requested modes.
     pub at: Vec<Option<BandValue>>,
 }
 
@@ -59,7 +59,7 @@ pub struct BandValue {
     pub frequency_hz: f64,
     /// Its estimated error, Hz.
     pub error_hz: f64,
-    /// The share of the family of its name in its energy.
+    /// The share of its energy in the type of motion that its name states.
     pub share: f64,
     /// The worst verdict of its distances from the multiples of the rotor speed, by the rules of
     /// the resonance check; null without a rotor, and for a frequency of 0.
@@ -85,11 +85,11 @@ pub struct SharedFactor {
 pub struct FailedFactor {
     /// The factor.
     pub factor: f64,
-    /// Why.
+    /// The reason.
     pub reason: String,
 }
 
-/// Why there is no band.
+/// Why there is no result.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SoilBandError {
@@ -118,8 +118,8 @@ enum Unsolved {
 /// The frequencies of a tower for several factors of its soil stiffness
 /// ([`TowerDescription::with_soil_factor`]), with the verdicts on them if there is a rotor.
 ///
-/// `solution` is that of the tower as it is; `solve` solves the changed towers, for the same modes.
-/// A mode is the one of the same name at every factor.
+/// `solution` is the solution of the unchanged tower; `solve` solves the changed towers for the
+/// same modes. A mode is identified by its name at every factor.
 ///
 /// # Errors
 /// [`SoilBandError`]: a factor is out of range, or the tower has no soil.
@@ -178,17 +178,17 @@ pub fn soil_band(
     })
 }
 
-/// The modes of a solution in several changed towers.
+/// The modes of a solution, with their values in several changed towers.
 struct Each {
     modes: Vec<BandMode>,
-    /// The values at which the tower could not be solved, and why.
+    /// The factors or depths at which the tower could not be solved, with the reason.
     failed: Vec<(f64, String)>,
-    /// The values at which modes share the motion of a name, and which.
+    /// The factors or depths at which several modes share a motion, with the names.
     shared: Vec<(f64, String)>,
 }
 
-/// The modes of a solution in each of the towers that `changed` makes of the values; without a
-/// changed tower the solution itself counts.
+/// The modes of a solution in each of the towers that `changed` makes from the values; if it makes
+/// none, the solution itself is used.
 fn solve_each(
     solution: &Solution,
     values: &[f64],
@@ -232,7 +232,8 @@ fn solve_each(
     }
 }
 
-/// The names of a list whose motions modes share; of several with the same modes the first.
+/// The names in a list whose motion is shared by several modes; of several names with the same
+/// modes the first.
 fn shared_by(modes: &[Mode]) -> impl Iterator<Item = SharedMotion> {
     let all = modes.iter();
     let all = all.map(|mode| (mode.name(), &mode.shares, mode.extrapolated_hz));
@@ -248,7 +249,7 @@ fn shared_by(modes: &[Mode]) -> impl Iterator<Item = SharedMotion> {
 }
 
 impl SoilBand {
-    /// The place of the factor 1 in the list.
+    /// The index of the factor 1 in the list.
     pub fn of_input(&self) -> usize {
         self.factors.iter().position(|f| *f == 1.0).unwrap_or(0)
     }
@@ -259,8 +260,8 @@ impl SoilBand {
         values.into_iter().any(|at| at.verdict.is_some())
     }
 
-    /// The first bending modes of both planes, and all modes whose verdict is not the same over the
-    /// band.
+    /// The first bending modes of both planes, and all modes whose verdict is not the same for all
+    /// factors.
     pub fn of_interest(&self) -> impl Iterator<Item = &BandMode> {
         self.modes.iter().filter(|mode| {
             let bends = matches!(mode.family, Family::ForeAft | Family::SideSide);
@@ -270,8 +271,8 @@ impl SoilBand {
 }
 
 impl BandMode {
-    /// The frequency at a factor by its place in the list, relative to that in the soil of the
-    /// input, minus 1; none at the factor 1 and where one of both is unknown or 0.
+    /// The relative change of the frequency at a factor, by the index of the factor, compared with
+    /// the soil of the input; none at the factor 1 and if one of the frequencies is unknown or 0.
     pub fn change(&self, band: &SoilBand, place: usize) -> Option<f64> {
         let of_input = band.of_input();
         let [at, given] = [place, of_input].map(|place| self.at.get(place).copied().flatten());
@@ -288,7 +289,7 @@ impl BandMode {
     }
 }
 
-/// The factors in rising order, each once, with 1 among them.
+/// The factors in increasing order, each once, including 1.
 fn rising_with_one(factors: &[f64]) -> Result<Vec<f64>, SoilBandError> {
     let is_in_range = |factor: f64| (FACTORS[0]..=FACTORS[1]).contains(&factor);
     if let Some(&factor) = factors.iter().find(|factor| !is_in_range(**factor)) {

@@ -73,16 +73,17 @@ pub struct Comparison {
     /// The methods.
     #[cfg_attr(feature = "serde", serde(rename = "methods"))]
     pub columns: Vec<Column>,
-    /// Warnings of the reference solution (the differences to a mode that it does not resolve are
-    /// not errors of the methods), and of methods that lack modes.
+    /// Warnings of the reference solution (differences from a mode that it does not resolve are not
+    /// errors of the methods), and of methods that lack modes.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub warnings: Vec<Warning>,
 }
 
 /// Solves a tower by several methods for the lowest modes of the reference beam solution.
 ///
-/// The options of the solver apply to all methods: the number of modes, rotary inertia, the place
-/// of hinges. `done` is called with each column and the options that solved it, and may time it.
+/// The options of the solver apply to all methods: the number of modes, rotary inertia, the
+/// position of hinges. `done` is called with each column and the options of its solution, and may
+/// measure its time.
 ///
 /// # Errors
 /// [`SolveError`] of the first method that cannot solve the tower.
@@ -129,8 +130,8 @@ pub fn all_methods(segments: usize) -> Vec<ColumnSpec> {
     ColumnSpec::each(&Method::ALL, &[segments])
 }
 
-/// Compares [all methods](all_methods). Borders of elements in the options do not apply: each
-/// method chooses its own.
+/// Compares [all methods](all_methods). Element boundaries in the options are ignored: each method
+/// chooses its own.
 ///
 /// # Errors
 /// As [`compare`].

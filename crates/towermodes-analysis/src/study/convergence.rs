@@ -16,14 +16,14 @@ pub enum Fineness {
 }
 
 impl Fineness {
-    /// The number itself.
+    /// The value of the refinement.
     pub fn number(self) -> usize {
         match self {
             Self::Segments(number) | Self::Degree(number) => number,
         }
     }
 
-    /// The polynomial degree, if that is refined.
+    /// The polynomial degree, if the refinement is a degree.
     pub fn degree(self) -> Option<usize> {
         match self {
             Self::Segments(_) => None,
@@ -72,8 +72,8 @@ pub struct Level {
     /// The relative error f/f_limit − 1 of each mode.
     #[cfg_attr(feature = "serde", serde(rename = "relative_errors"))]
     pub errors: Vec<Option<f64>>,
-    /// The observed order p of the error n⁻ᵖ from the level before; for the method spectral the
-    /// number of decimal digits gained per degree. None where the error is rounding only.
+    /// The observed order p of the error n⁻ᵖ relative to the previous level; for the method
+    /// spectral the number of decimal digits gained per degree. None if the error is only rounding.
     #[cfg_attr(feature = "serde", serde(rename = "observed_orders"))]
     pub orders: Vec<Option<f64>>,
 }
@@ -93,8 +93,8 @@ pub struct Convergence {
     pub modes: Vec<FollowedMode>,
     /// The levels in the requested order.
     pub levels: Vec<Level>,
-    /// Warnings of the reference solution: the differences to a mode that it does not resolve are
-    /// not errors of the method.
+    /// Warnings of the reference solution: differences from a mode that it does not resolve are not
+    /// errors of the method.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub warnings: Vec<Warning>,
 }
@@ -103,10 +103,10 @@ pub struct Convergence {
 pub const STUDY_SEGMENTS: [usize; 6] = [10, 20, 40, 80, 160, 320];
 /// Default polynomial degrees of a study of the method spectral.
 pub const STUDY_DEGREES: [usize; 6] = [4, 6, 8, 10, 12, 14];
-/// The smallest number of levels that show an order.
+/// The smallest number of levels that is sufficient to show an order.
 const FEWEST_LEVELS: usize = 4;
 
-/// Errors below this are rounding errors and errors of the reference, and have no order.
+/// Smaller errors are rounding errors or errors of the reference, and have no order.
 const ROUNDING: f64 = 1e-11;
 
 /// The options of the reference solution that a method converges to: spectral, without rotary
@@ -114,7 +114,7 @@ const ROUNDING: f64 = 1e-11;
 ///
 /// # Errors
 /// [`SolveError::NoShear`] for BModes and a tower with shear deformation: BModes has none and
-/// converges to another beam.
+/// converges to another beam theory.
 fn limit_options(tower: &Tower, options: &Options) -> Result<Options, SolveError> {
     if options.method == Method::Bmodes && tower.shears() {
         return Err(SolveError::NoShear);
@@ -185,7 +185,7 @@ impl Convergence {
 }
 
 /// A study with [`STUDY_SEGMENTS`], each mesh once; if these are fewer than four meshes, with the
-/// minimum number of segments of the tower and its doubles.
+/// minimum number of segments of the tower and its multiples by powers of two.
 ///
 /// The study is an argument, so that a program can report its progress.
 ///

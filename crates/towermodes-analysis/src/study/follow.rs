@@ -1,5 +1,5 @@
-//! The same modes by different methods, identified by subsystem and order and not by the place in
-//! the list, which depends on the mesh.
+//! The same modes by different methods, identified by subsystem and order, because the position in
+//! the list depends on the mesh.
 
 use towermodes::Warning;
 use towermodes::modes::{Family, Shares};
@@ -17,15 +17,15 @@ pub struct FollowedMode {
     pub order: usize,
     /// Its name: "1st fore-aft bending", or "1st bending" for a pair.
     pub label: String,
-    /// Whether the side-side mode of the same order has the same frequency; it is not in the list
-    /// then.
+    /// Whether the side-side mode of the same order has the same frequency; it is then not in the
+    /// list.
     pub is_pair: bool,
     /// The frequency of the reference solution, Hz.
     pub frequency_hz: f64,
-    /// The shares of the families in its energy, in the reference solution.
+    /// The shares of the types of motion in its energy, in the reference solution.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub shares: Shares,
-    /// The identity of the mode by any method: its family may differ between methods where motions
+    /// The identity of the mode for any method: its family may differ between methods if motions
     /// are coupled.
     #[cfg_attr(feature = "serde", serde(skip))]
     key: ModeKey,
@@ -49,7 +49,7 @@ impl FollowedMode {
 }
 
 /// The frequency (Hz) of each followed mode in a solution, and its relative difference from the
-/// reference; none where the solution lacks the mode.
+/// reference; none if the solution lacks the mode.
 pub(super) fn compared(
     modes: &[FollowedMode],
     solution: &Solution,
@@ -61,7 +61,7 @@ pub(super) fn compared(
     modes.iter().map(pair).unzip()
 }
 
-/// The modes of a solution; a repeated pair once.
+/// The modes of a solution; a repeated pair is listed once.
 pub(super) fn followed(tower: &Tower, solution: &Solution) -> Vec<FollowedMode> {
     let pairs = tower.planes_are_equal();
     let followed = |mode: &Mode| {
@@ -97,13 +97,13 @@ fn pair_label(mode: &Mode) -> String {
     }
 }
 
-/// Modes are looked for up to this multiple of the highest followed frequency.
+/// Modes are searched up to this multiple of the highest followed frequency, …
 pub(super) const REACH: f64 = 4.0;
 /// … and among at most this many modes for each followed mode.
 const MOST_FOR_EACH: usize = 16;
 
-/// Solves until the list has all followed modes, the tower has no more, or the missing ones are too
-/// far away to be found.
+/// Solves until the list contains all followed modes, the tower has no more modes, or the missing
+/// ones are outside these limits.
 pub(super) fn solve_for(
     tower: &Tower,
     options: &Options,
@@ -127,13 +127,13 @@ pub(super) fn solve_for(
     })
 }
 
-/// The highest frequency that is followed, Hz.
+/// The highest followed frequency, Hz.
 fn highest_hz(modes: &[FollowedMode]) -> f64 {
     let frequencies_hz = modes.iter().map(|mode| mode.frequency_hz);
     frequencies_hz.fold(0.0, f64::max)
 }
 
-/// The warning that modes were not found although the tower has more modes than were solved for.
+/// The warning that modes were not found although the tower has more modes than were computed.
 pub(super) fn not_found(modes: &[FollowedMode], solution: &Solution) -> Option<Warning> {
     let missing = modes
         .iter()

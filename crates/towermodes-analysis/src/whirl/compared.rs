@@ -15,28 +15,28 @@ pub struct AgainstRigid {
     pub name: TurbineModeName,
     /// The frequency of the tower with its rotor-nacelle assembly as a rigid body, Hz.
     pub rigid_hz: f64,
-    /// The mode of this name at standstill; none if there is none.
+    /// The coupled mode of this name at standstill; none if there is none.
     pub at_rest: Option<Change>,
-    /// The mode of this name at the highest operating speed; none if there is none.
+    /// The coupled mode of this name at the highest operating speed; none if there is none.
     pub at_highest: Option<Change>,
 }
 
-/// A coupled frequency against that with a rigid rotor.
+/// A coupled frequency compared with the frequency with a rigid rotor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Change {
     /// The coupled frequency, Hz.
     pub coupled_hz: f64,
-    /// The fraction of the coupled mode's elastic energy in the part that names it.
+    /// The fraction of the coupled mode's elastic energy in the part that its name states.
     pub share: f64,
-    /// Coupled over rigid less 1; none if the share is below 60 %: the flexible rotor has spread
-    /// the motion over several modes, so that this one is not the same motion.
+    /// coupled/rigid − 1; none if the share is below 60 %: with the flexible rotor several modes
+    /// share the motion, so this mode is not the same motion.
     pub difference: Option<f64>,
 }
 
 impl CoupledCampbell {
-    /// Each mode of the tower below the limit that has a coupled mode of the same name, by
-    /// frequency: what the flexible and turning rotor changes. The solution is that of the same
-    /// tower with the machine as a rigid body, which does not turn about its shaft relative to the
+    /// Each mode of the tower below the limit for which a coupled mode has the same name, by
+    /// frequency: the effect of the flexible, rotating rotor. The solution is that of the same
+    /// tower with a rigid rotor-nacelle assembly, whose rotor does not rotate relative to the
     /// nacelle.
     #[must_use]
     pub fn against(&self, rigid: &Solution) -> Vec<AgainstRigid> {

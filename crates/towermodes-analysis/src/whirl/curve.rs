@@ -4,24 +4,26 @@ use towermodes::turbine::{CoupledFrequency, Nodding, TurbineEnergy, TurbineModeN
 
 use crate::resonance::{LineEnd, ModeClass};
 
-/// A mode with less than this share of its energy in its name shares it with another part. …
+/// If a mode has less than this share of its energy in the part that its name states, another part
+/// shares it; …
 pub const SHARED: f64 = 0.6;
-/// … If the tower has at least this share, it counts as a mode of the tower too.
+/// … if the tower has at least this share, the mode also counts as a tower mode.
 const GOOD_PART: f64 = 0.25;
 
 /// A mode of a turbine followed over the rotor speed by its shape. Its name at each speed is that
-/// of the mode there: beyond a veering the name changes where the shape has changed.
+/// of the mode there: after a veering, where the shape changes, the name changes too.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoupledCurve {
     /// The name that it has over most of the operating speeds.
     pub name: TurbineModeName,
-    /// Its title: this name; with rotor speeds if another curve has the same name over more.
+    /// Its title: this name; with rotor speeds if another curve has the same name over a larger
+    /// range.
     pub title: String,
-    /// Its points by rising rotor speed. Modes that leave the frequencies of the diagram have no
-    /// points there.
+    /// Its points by increasing rotor speed. There are no points where the mode is outside the
+    /// frequency range of the diagram.
     pub points: Vec<CurvePoint>,
     /// For a backward whirl the index of the curve of the forward whirl with the same motion and
-    /// order, and the reverse; none if there is no such curve.
+    /// order, and vice versa; none if there is no such curve.
     pub partner: Option<usize>,
     /// The end of a curve that was lost: no mode at the next speed has a similar shape.
     pub lost: Option<LineEnd>,
@@ -41,9 +43,9 @@ pub struct CurvePoint {
     pub error_hz: Option<f64>,
     /// Its name at this speed.
     pub name: TurbineModeName,
-    /// The fraction of its elastic energy in the part that names it.
+    /// The fraction of its elastic energy in the part that its name states.
     pub share: f64,
-    /// The part with the most energy besides, with its fraction.
+    /// The other part with the most energy, with its fraction.
     pub second: Option<(TurbinePart, f64)>,
     /// Fractions of its elastic energy.
     pub energy: TurbineEnergy,
@@ -56,7 +58,7 @@ pub struct NameRange {
     pub name: TurbineModeName,
     /// The lowest speed, rpm, at which the turbine was solved and the curve has the name.
     pub from_rpm: f64,
-    /// The highest.
+    /// The highest such speed, rpm.
     pub to_rpm: f64,
 }
 
@@ -69,7 +71,7 @@ pub struct NameChange {
     pub after: TurbineModeName,
     /// The middle between the last speed with one name and the first with the other, rpm.
     pub rotor_speed_rpm: f64,
-    /// The frequency there, Hz.
+    /// The frequency at this speed, Hz.
     pub frequency_hz: f64,
 }
 
@@ -79,23 +81,24 @@ impl CurvePoint {
         [self.rotor_speed_rpm, self.frequency.frequency_hz]
     }
 
-    /// The motion of the nacelle (tilt or yaw) in a whirl whose waves are alike.
+    /// The motion of the nacelle (tilt or yaw) in a mode whose forward and backward waves are
+    /// nearly equal.
     pub fn nodding(&self) -> Option<Nodding> {
         self.energy.nodding_of(self.name.part)
     }
 
-    /// Whether another part than the one that names it shares it: less than 60 % of its elastic
-    /// energy is in its name; of a whirl of which both waves are alike, in both waves.
+    /// Whether another part shares it: less than 60 % of its elastic energy is in the part that its
+    /// name states, or, if its forward and backward waves are nearly equal, in both waves together.
     pub fn is_shared(&self) -> bool {
         let other_wave = self.second.filter(|_| self.nodding().is_some());
         let other_wave = other_wave.filter(|(part, _)| is_other_wave(self.name.part, *part));
         self.share + other_wave.map_or(0.0, |(_, share)| share) < SHARED
     }
 
-    /// Class of the mode: the blades if its name is one of theirs, unless less than 60 % of its
-    /// energy is in the part that names it and at least 25 % is in the tower. So if the tower
-    /// shares two modes, both have verdicts like modes of the tower. For the other modes the shares
-    /// of the energy determine the class.
+    /// Class of the mode: the blades if its name states a blade motion, unless less than 60 % of
+    /// its energy is in the part of the name and at least 25 % is in the tower. Thus if two modes
+    /// share a tower motion, both have verdicts like modes of the tower. For all other modes the
+    /// shares of the energy determine the class.
     pub fn class(&self) -> ModeClass {
         let energy = &self.energy;
         let is_of_blades = matches!(self.name.part, TurbinePart::Blades(..));
@@ -110,7 +113,7 @@ impl CurvePoint {
     }
 }
 
-/// Whether two parts are the waves of one motion of the blades.
+/// Whether two parts are the forward and backward waves of one blade motion.
 fn is_other_wave(part: TurbinePart, other: TurbinePart) -> bool {
     match (part, other) {
         (TurbinePart::Blades(motion, _), TurbinePart::Blades(other, _)) => motion == other,
@@ -137,7 +140,7 @@ impl CoupledCurve {
         })
     }
 
-    /// Its names by rising rotor speed.
+    /// Its names by increasing rotor speed.
     pub fn names(&self) -> Vec<NameRange> {
         let runs = self.points.chunk_by(|a, b| a.name == b.name);
         let range = |run: &[CurvePoint]| NameRange {
@@ -164,15 +167,16 @@ impl CoupledCurve {
         changes.map(change).collect()
     }
 
-    /// Its name at a rotor speed (rpm): that at the nearest speed below, or at its first.
+    /// Its name at a rotor speed (rpm): the name at the nearest lower solved speed, or at its first
+    /// speed.
     pub fn name_at(&self, rpm: f64) -> TurbineModeName {
         let below = self.points.partition_point(|p| p.rotor_speed_rpm <= rpm);
         let point = self.points.get(below.saturating_sub(1));
         point.map_or(self.name, |point| point.name)
     }
 
-    /// The largest error of its frequencies that is known, Hz: that of the mesh and half the width
-    /// of the bounds.
+    /// The largest known error of its frequencies, Hz: the error of the mesh plus half the width of
+    /// the bounds.
     pub fn error_hz(&self) -> f64 {
         let errors = self.points.iter().map(|point| {
             let frequency = &point.frequency;

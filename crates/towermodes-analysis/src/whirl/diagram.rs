@@ -18,12 +18,13 @@ use super::solved::{Solved, SolvedSpeed};
 /// excitations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoupledCampbell<S = TurbineModes> {
-    /// The names along the curves as lines, with margins, classes, conclusion and verdict: a line
-    /// is a piece of a curve with one name, and a margin the worst of all pieces with its name.
+    /// The names along the curves as lines, with distances, classes, conclusion and verdict: a line
+    /// is a piece of a curve with one name, and the distance of a name is the worst of all pieces
+    /// with this name.
     pub campbell: Campbell,
     /// The frequency up to which all modes are followed, Hz.
     pub limit_hz: f64,
-    /// The rotor speeds at which the turbine was solved, rising, with their modes.
+    /// The rotor speeds at which the turbine was solved, in increasing order, with their modes.
     pub speeds: Vec<SolvedSpeed<S>>,
     /// The curves: tower and drivetrain by mean frequency, then the blades.
     pub curves: Vec<CoupledCurve>,
@@ -35,14 +36,14 @@ pub struct CoupledCampbell<S = TurbineModes> {
 }
 
 impl CoupledCampbell {
-    /// The mode of a name at a rotor speed at which the turbine was solved, rpm.
+    /// The mode with a name at a rotor speed at which the turbine was solved, rpm.
     #[must_use]
     pub fn at_rpm(&self, name: TurbineModeName, rpm: f64) -> Option<&CurvePoint> {
         let mut points = self.curves.iter().filter_map(|curve| curve.at_rpm(rpm));
         points.find(|point| point.name == name)
     }
 
-    /// The name of the mode that whirls the other way, if it is in the diagram.
+    /// The name of the mode with the opposite whirl direction, if it is in the diagram.
     #[must_use]
     pub fn whirls_with(&self, name: TurbineModeName) -> Option<TurbineModeName> {
         named::opposite(name).filter(|other| self.names.contains(other))
@@ -90,29 +91,28 @@ impl CoupledCampbell {
 }
 
 /// The coupled Campbell diagram of a turbine: structure only, without wind and controller, at
-/// constant speeds.
+/// constant rotor speeds.
 ///
-/// The turbine is solved at each of the speeds, on the usual mesh. Modes are followed by their
-/// shapes: the modal assurance criterion of one speed and the next in the inner product of the
-/// elastic energy. Where the shapes are ambiguous or curves swap their order, speeds are added
-/// between, up to [`CoupledOptions::most_added`]. Curves that swap their order while the shapes
-/// stay cross; curves that come close, turn away and exchange their shapes veer. Two curves that
-/// exchange their shapes within 1/32 of a step are taken for curves that cross.
+/// The turbine is solved at each of the speeds, on the default mesh. Modes are followed by their
+/// shapes: the modal assurance criterion between one speed and the next in the inner product of the
+/// elastic energy. If the shapes are ambiguous or curves exchange their order, speeds are added
+/// between them, up to [`CoupledOptions::most_added`]. Curves that exchange their order but keep
+/// their shapes cross; curves that approach each other, diverge again and exchange their shapes
+/// veer. Two curves that exchange their shapes within 1/32 of a step count as crossing.
 ///
-/// Names are those of the modes at each speed, which depend on that speed alone: see
-/// [`TurbineModes::modes`]. Where curves veer, the name goes from one to the other as the shape
-/// does.
+/// Names are those of the modes at each speed, which depend only on that speed: see
+/// [`TurbineModes::modes`]. At a veering the name moves to the other curve together with the shape.
 ///
-/// Frequencies are those in the fixed frame: what acts on the tower with a frequency excites the
-/// modes that have it. On a blade, which turns, the same forward whirl has that frequency less the
-/// rotor speed, the same backward whirl that frequency plus the rotor speed. The margins compare
-/// each name with the multiples of the rotor speed in the fixed frame, by the table of
-/// [`campbell`](crate::campbell()): modes of the tower and the drivetrain as tower modes, those of
-/// the blades as blade modes. A mode of the blades that shares its energy with the tower counts as
-/// one of the tower; see [`CurvePoint::class`].
+/// Frequencies are given in the fixed frame: a load on the tower at a frequency excites the modes
+/// listed at this frequency. On a rotating blade, a forward whirl has this frequency minus the
+/// rotor speed, a backward whirl this frequency plus the rotor speed. The frequencies of each name
+/// are compared with the multiples of the rotor speed in the fixed frame, by the table of
+/// [`campbell`](crate::campbell()): modes of the tower and the drivetrain as tower modes, modes of
+/// the blades as blade modes. A blade mode that shares its energy with the tower counts as a tower
+/// mode; see [`CurvePoint::class`].
 ///
-/// Between two speeds f² is interpolated linearly in Ω², as for blades. For a whirl that is an
-/// approximation, whose error falls with the square of the step.
+/// Between two speeds f² is interpolated linearly in Ω², as for blades. For a whirl this is an
+/// approximation, whose error is proportional to the square of the step.
 ///
 /// `watch` is called before each solve with the rotor speed in rpm.
 ///
@@ -132,8 +132,7 @@ pub fn coupled_campbell(
     })
 }
 
-/// As [`coupled_campbell`], but cancelled before the first rotor speed (rpm) for which `goes_on`
-/// returns false.
+/// As [`coupled_campbell`], but cancelled when `goes_on` returns false before a rotor speed (rpm).
 ///
 /// # Errors
 /// As [`coupled_campbell`], and [`CoupledError::GivenUp`].
@@ -176,8 +175,8 @@ pub fn coupled_campbell_while(
     })
 }
 
-/// The speeds at which errors are estimated, rpm: the ends of the diagram and of operation. Between
-/// them they change little.
+/// The speeds at which errors are estimated, rpm: the ends of the diagram and of the operating
+/// range. Between them the errors change little.
 fn ends_rpm(rotor: &Rotor, options: &CoupledOptions) -> Result<Vec<f64>, CoupledError> {
     check_options(rotor, &options.common())?;
     let speeds = options.speeds_rpm(rotor)?;
@@ -188,8 +187,8 @@ fn ends_rpm(rotor: &Rotor, options: &CoupledOptions) -> Result<Vec<f64>, Coupled
     Ok(ends.chain([rotor.lowest_rpm, rotor.highest_rpm]).collect())
 }
 
-/// As above, with a function that solves at a rotor speed (rpm) up to a frequency (Hz), given the
-/// modes at another speed.
+/// As [`coupled_campbell`], with a function that solves at a rotor speed (rpm) up to a frequency
+/// (Hz), given the modes at another speed.
 pub(super) fn diagram<S: Solved>(
     rotor: &Rotor,
     options: &CoupledOptions,
@@ -226,7 +225,7 @@ pub(super) fn diagram<S: Solved>(
     })
 }
 
-/// The curves that are below the limit somewhere, in their order, with their tracks.
+/// The curves that are below the limit at some speed, in their order, with their tracks.
 fn curves<S: Solved>(
     speeds: &[SolvedSpeed<S>],
     rotor: &Rotor,

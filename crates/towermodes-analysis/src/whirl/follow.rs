@@ -5,26 +5,28 @@ use crate::resonance::LineEnd;
 
 use super::solved::{Solved, SolvedSpeed};
 
-/// A mode is continued without doubt if its modal assurance criterion with its continuation is so
-/// much larger than with any other mode.
+/// The continuation of a mode is certain if its modal assurance criterion exceeds that with any
+/// other mode by this amount.
 const CLEAR: f64 = 0.4;
 
-/// Two modes continue one alike if their modal assurance criteria with it differ by less than this.
+/// Two modes are equally possible continuations if their modal assurance criteria differ by less
+/// than this.
 const OPEN: f64 = 0.2;
 
-/// Frequencies closer than this are a pair whose shapes any computation may mix.
+/// Modes whose frequencies are closer than this are a pair; a computation may give any combination
+/// of their shapes.
 const REPEATED: f64 = 1e-9;
 
-/// A mode followed.
+/// A mode that is followed.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Track {
-    /// The index of the first speed at which it is seen.
+    /// The index of the first speed at which it is found.
     pub(super) first: usize,
     /// Its index among the modes at this speed and the next ones.
     pub(super) modes: Vec<usize>,
     /// The end, if it was lost.
     pub(super) lost: Option<LineEnd>,
-    /// Speed and mode at the last speed where it was continued without doubt: its shape.
+    /// Speed and mode at the last speed at which the continuation was certain: the reference shape.
     reference: (usize, usize),
 }
 
@@ -44,15 +46,15 @@ impl Track {
         (self.first + last, self.modes[last])
     }
 
-    /// Its frequency there, Hz.
+    /// Its frequency at this speed, Hz.
     fn last_hz<S: Solved>(&self, speeds: &[SolvedSpeed<S>]) -> f64 {
         let (speed, mode) = self.last();
         speeds[speed].modes.frequency_hz(mode)
     }
 }
 
-/// Follows all modes at solved speeds; modes that continue no other begin where they are first
-/// seen.
+/// Follows all modes at the solved speeds; the track of a mode that continues no other begins at
+/// this speed.
 pub(super) fn tracks<S: Solved>(speeds: &[SolvedSpeed<S>]) -> Vec<Track> {
     let mut tracks: Vec<Track> = Vec::new();
     for (speed, solved) in speeds.iter().enumerate() {
@@ -87,12 +89,12 @@ pub(super) fn tracks<S: Solved>(speeds: &[SolvedSpeed<S>]) -> Vec<Track> {
 
 /// The assignment of the modes at a speed to the tracks.
 ///
-/// A track is compared by the shape at the last speed where it was continued without doubt. Between
-/// two modes that exchange their shapes within one step it so keeps its shape. But two modes that
-/// are close at standstill, tilt and yaw, become whirls within one step for good, and their shapes
-/// there are those of neither. So a track that is in doubt by this shape and in none by that at the
-/// last speed is compared by the latter. Two tracks that are in doubt between the same two modes
-/// keep their order.
+/// A track is compared by its reference shape, at the last speed at which the continuation was
+/// certain. Thus at a veering within one step the track keeps its shape. However, two modes that
+/// are close at standstill, tilt and yaw, become whirls permanently within one step, and the whirl
+/// shapes are similar to neither. Therefore a track whose continuation is uncertain with the
+/// reference shape, but certain with the shape at the last speed, is compared by the latter. Two
+/// tracks that are uncertain between the same two modes keep their order.
 fn continued<S: Solved>(tracks: &[Track], speeds: &[SolvedSpeed<S>], speed: usize) -> Assignment {
     let modes = &speeds[speed].modes;
     let is_followed = |track: usize| tracks[track].lost.is_none();
@@ -125,8 +127,8 @@ fn continued<S: Solved>(tracks: &[Track], speeds: &[SolvedSpeed<S>], speed: usiz
     assignment
 }
 
-/// Gives two tracks, the lower one first, their modes in this order if both are in doubt between
-/// the two.
+/// Assigns two tracks, the lower one first, to two modes in this order if both tracks are uncertain
+/// between these modes.
 fn keep_order(assignment: &mut Assignment, [lower, upper]: [usize; 2]) {
     let (Ok(of_lower), Ok(of_upper)) = (assignment.found(lower), assignment.found(upper)) else {
         return;
@@ -137,14 +139,14 @@ fn keep_order(assignment: &mut Assignment, [lower, upper]: [usize; 2]) {
     }
 }
 
-/// Whether a mode is continued without doubt.
+/// Whether the continuation of a mode is certain.
 pub(super) fn is_clear(assignment: &Assignment, row: usize) -> bool {
     let found = assignment.found(row);
     found.is_ok_and(|column| assignment.lead(row, column) >= CLEAR)
 }
 
-/// The modal assurance criteria of modes with those at a speed; of a repeated pair, here and there,
-/// those of the plane that both span.
+/// The modal assurance criteria of modes with the modes at a speed; for repeated pairs those of the
+/// plane that both modes span.
 pub(super) fn macs<S: Solved>(rows: &[(&S, usize)], modes: &S) -> Vec<Vec<f64>> {
     let all = 0..modes.count();
     let of_row = |(from, mode): &(&S, usize)| {

@@ -1,4 +1,4 @@
-//! The modes that are compared with the excitations: each name, along the curves that have it.
+//! The modes that are compared with the excitations: each name, along all curves that have it.
 
 use towermodes::modes::Family;
 use towermodes::tower::Rotor;
@@ -9,13 +9,13 @@ use crate::resonance::{
     CampbellOptions, Excited, FrequencyLine, Margin, StiffnessClass, class_along, margins,
 };
 
-/// Another mode shares a name if it has at least this share of its energy in it.
+/// Another mode shares the motion of a name if it has at least this share of its energy in it.
 const GOOD_PART: f64 = 0.25;
 
 /// Pieces of curves with one name each, in the order of these names and then by rotor speed. Where
-/// a curve hands its name to another or takes that of another, one piece ends and the next begins
-/// in the middle of the step. Where it changes its name alone, because two parts of its energy are
-/// nearly equal, the piece goes on: it is one mode, which is judged once.
+/// a curve passes its name to another curve or takes the name of another, one piece ends and the
+/// next begins in the middle of the step. Where it changes its name alone, because two parts have
+/// nearly equal energy, the piece continues: it is one mode, which is assessed once.
 pub(super) fn lines(curves: &[CoupledCurve], names: &[TurbineModeName]) -> Vec<FrequencyLine> {
     let mut all: Vec<(usize, FrequencyLine)> = Vec::new();
     for index in 0..curves.len() {
@@ -82,7 +82,7 @@ fn line(
     }
 }
 
-/// Whether a curve gives its name to another curve in a step, or takes its next one from another.
+/// Whether a curve passes its name to another curve in a step, or takes its next name from another.
 fn hands_over(index: usize, curves: &[CoupledCurve], [a, b]: [&CurvePoint; 2]) -> bool {
     let has_elsewhere = |name: TurbineModeName, rpm: f64| {
         let others = curves
@@ -96,8 +96,8 @@ fn hands_over(index: usize, curves: &[CoupledCurve], [a, b]: [&CurvePoint; 2]) -
         && (has_elsewhere(a.name, b.rotor_speed_rpm) || has_elsewhere(b.name, a.rotor_speed_rpm))
 }
 
-/// The name of points of one mode: bending of the tower, which has the classes, if it is among
-/// them; of these or else of all the name that most points have, of equal ones the first.
+/// The name of the points of one mode: the name of a tower bending mode, which has the classes, if
+/// some points have one; otherwise the name of most points, of equally frequent names the first.
 fn title(points: &[CurvePoint]) -> TurbineModeName {
     let bends = |name: &TurbineModeName| {
         matches!(
@@ -120,8 +120,8 @@ fn title(points: &[CurvePoint]) -> TurbineModeName {
     best.unwrap_or(points[0].name)
 }
 
-/// The distance of every name from every multiple: the worst of its pieces, and of these the
-/// nearest.
+/// The distance of every name from every multiple: that of the piece with the worst verdict, and
+/// among equal verdicts the smallest.
 pub(super) fn worst(
     lines: &[FrequencyLine],
     rotor: &Rotor,
@@ -144,14 +144,14 @@ pub(super) fn worst(
     all
 }
 
-/// The first piece of the mode of a margin, then its multiple.
+/// The sort key of a distance: the first piece of its mode, then its multiple.
 fn first_of(lines: &[FrequencyLine], margin: &Margin) -> (usize, usize) {
     let own = &lines[margin.line];
     let first = lines.iter().position(|line| line.is_of_same_mode(own));
     (first.unwrap_or(margin.line), margin.multiple)
 }
 
-/// The first bending modes of the tower with their classes, and of each the piece at the highest
+/// The first bending modes of the tower with their classes, and the piece of each at the highest
 /// operating speed.
 pub(super) fn first_bending(
     curves: &[CoupledCurve],
@@ -179,7 +179,7 @@ pub(super) fn first_bending(
 }
 
 /// Rotor speeds (rpm) and frequencies (Hz) of a name; at speeds where its mode has less than 60 %
-/// in it those of the mode that shares it too.
+/// of its energy in it, also those of the mode that shares it.
 fn places(curves: &[CoupledCurve], name: TurbineModeName) -> Vec<[f64; 2]> {
     let points = || curves.iter().flat_map(|curve| &curve.points);
     let mut places = Vec::new();

@@ -3,33 +3,33 @@
 use super::follow::Track;
 use super::solved::{Solved, SolvedSpeed};
 
-/// Beside a veering shapes are compared where the distance of the curves is so many times the
-/// least.
+/// The shapes next to a veering are compared where the distance of the curves is this many times
+/// the smallest distance.
 const APART: f64 = 2.0;
 /// Two curves veer if their modes have exchanged at least this share of their shapes.
 const EXCHANGED: f64 = 0.5;
 
-/// Two curves that meet.
+/// A crossing or veering of two curves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Meeting {
-    /// How.
+    /// The kind of meeting.
     pub kind: MeetingKind,
     /// The indices of the curves, from 0.
     pub curves: [usize; 2],
     /// The rotor speed where they are closest, rpm.
     pub rotor_speed_rpm: f64,
-    /// The mean of their frequencies there, Hz.
+    /// The mean of their frequencies at this speed, Hz.
     pub frequency_hz: f64,
-    /// Their least distance, Hz: 0 for curves that cross.
+    /// Their smallest distance, Hz: 0 for curves that cross.
     pub least_distance_hz: f64,
 }
 
 /// The kind of meeting of two curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MeetingKind {
-    /// They swap their order, and each mode keeps its shape: they hardly act on each other.
+    /// They exchange their order, and each mode keeps its shape: they are hardly coupled.
     Crossing,
-    /// They come close, turn away, and exchange their shapes: between both modes energy flows.
+    /// They approach each other, diverge again, and exchange their shapes: the modes are coupled.
     Veering,
 }
 
@@ -43,18 +43,18 @@ impl MeetingKind {
     }
 }
 
-/// A speed at which two tracks are both seen.
+/// A speed at which two tracks are both found.
 #[derive(Debug, Clone, Copy)]
 struct Beside {
     speed: usize,
     rpm: f64,
     modes: [usize; 2],
     mean_hz: f64,
-    /// The frequency of the first less that of the second, Hz.
+    /// The frequency of the first minus that of the second, Hz.
     distance_hz: f64,
 }
 
-/// All meetings below a frequency, by rotor speed. Tracks are those of the curves.
+/// All crossings and veerings below a frequency, by rotor speed. Tracks belong to the curves.
 pub(super) fn meetings<S: Solved>(
     speeds: &[SolvedSpeed<S>],
     tracks: &[Track],
@@ -74,7 +74,7 @@ pub(super) fn meetings<S: Solved>(
     all
 }
 
-/// The speeds at which two tracks are both seen.
+/// The speeds at which two tracks are both found.
 fn beside<S: Solved>(speeds: &[SolvedSpeed<S>], [a, b]: [&Track; 2]) -> Vec<Beside> {
     let end = |track: &Track| track.first + track.modes.len();
     let both = a.first.max(b.first)..end(a).min(end(b));
@@ -113,7 +113,7 @@ fn crossings(curves: [usize; 2], both: &[Beside]) -> Vec<Meeting> {
     swaps.map(crossing).collect()
 }
 
-/// Speeds where two curves are closest without a change of their order, if they exchange their
+/// Speeds at which two curves are closest without a change of their order, if they exchange their
 /// shapes.
 fn veerings<S: Solved>(
     curves: [usize; 2],
@@ -146,7 +146,7 @@ fn veerings<S: Solved>(
     found
 }
 
-/// The mean share of the shape of each mode that is the other's on the other side.
+/// The mean share of each mode's shape after the veering in the other mode's shape before it.
 fn exchanged<S: Solved>(before: &Beside, after: &Beside, speeds: &[SolvedSpeed<S>]) -> f64 {
     let (from, to) = (&speeds[before.speed].modes, &speeds[after.speed].modes);
     let [a, b] = before.modes;
@@ -154,8 +154,8 @@ fn exchanged<S: Solved>(before: &Beside, after: &Beside, speeds: &[SolvedSpeed<S
     0.5 * (from.mac(a, to, b_after) + from.mac(b, to, a_after))
 }
 
-/// The least distance between three speeds: of two modes that act on each other its square is
-/// quadratic in the speed (von Neumann & Wigner 1929).
+/// The smallest distance between three speeds: for two coupled modes its square is quadratic in the
+/// speed (von Neumann & Wigner 1929).
 fn closest(curves: [usize; 2], three: &[Beside]) -> Meeting {
     let [low, middle, high] = [three[0], three[1], three[2]];
     let square = |at: Beside| at.distance_hz * at.distance_hz;

@@ -1,9 +1,9 @@
-//! The coupled Campbell diagram: the natural frequencies of a whole turbine, tower and turning
+//! The coupled Campbell diagram: the natural frequencies of a whole turbine, tower and rotating
 //! rotor together, against the rotor speed.
 //!
-//! Modes are followed from speed to speed by their shapes; curves that cross are told from curves
-//! that veer; whirl modes are paired; the excitations are judged against the frequencies of each
-//! name by the rules of [`crate::resonance`].
+//! Modes are followed from speed to speed by their shapes; crossings are distinguished from
+//! veerings; whirl modes are paired; the excitations are compared with the frequencies of each name
+//! by the rules of [`crate::resonance`].
 
 mod compared;
 mod curve;

@@ -1,11 +1,11 @@
-//! The titles of curves, and the whirl modes that belong together.
+//! The titles of curves, and the pairs of whirl modes.
 
 use towermodes::tower::{Rotor, Rpm};
 use towermodes::turbine::{Harmonic, TurbineModeName, TurbinePart};
 
 use super::curve::{CoupledCurve, CurvePoint};
 
-/// Points of a curve with the operating speeds that each stands for, rpm.
+/// Points of a curve, each with the range of operating speeds that it represents, rpm.
 fn in_operation<'a>(points: &'a [CurvePoint], rotor: &Rotor) -> Vec<(&'a CurvePoint, f64)> {
     let operates = |point: &&CurvePoint| {
         (rotor.lowest_rpm..=rotor.highest_rpm).contains(&point.rotor_speed_rpm)
@@ -21,7 +21,8 @@ fn in_operation<'a>(points: &'a [CurvePoint], rotor: &Rotor) -> Vec<(&'a CurvePo
     }
 }
 
-/// The mean frequency of points over the operating speeds, Hz; without these over all.
+/// The mean frequency of points over the operating speeds, Hz; over all points if none is in the
+/// operating range.
 pub(super) fn mean_hz(points: &[CurvePoint], rotor: &Rotor) -> f64 {
     let mut weighted = in_operation(points, rotor);
     if weighted.is_empty() {
@@ -34,8 +35,8 @@ pub(super) fn mean_hz(points: &[CurvePoint], rotor: &Rotor) -> f64 {
     sum(|point| point.frequency.frequency_hz) / sum(|_| 1.0)
 }
 
-/// Modes of tower and drivetrain before those of the blades, and each by mean frequency: the names
-/// of all points in this order.
+/// The names of all points: modes of tower and drivetrain before those of the blades, each group by
+/// mean frequency.
 pub(super) fn all_names(curves: &[CoupledCurve], rotor: &Rotor) -> Vec<TurbineModeName> {
     let mut points: Vec<CurvePoint> = Vec::new();
     points.extend(curves.iter().flat_map(|curve| &curve.points));
@@ -55,9 +56,9 @@ pub(super) fn is_of_blades(name: TurbineModeName) -> bool {
     matches!(name.part, TurbinePart::Blades(..))
 }
 
-/// Gives each curve the name that it has over most of the operating speeds, each name to one curve:
-/// first where a name has the largest part of the operating speeds, then of all speeds, then the
-/// lower frequency.
+/// Gives each curve the name that it has over most of the operating speeds, and each name to only
+/// one curve: to the curve that has it over the largest range of operating speeds, then of all
+/// speeds, then to the lower frequency.
 pub(super) fn name(curves: &mut [CoupledCurve], rotor: &Rotor) {
     let mut claims: Vec<(usize, TurbineModeName, [f64; 3])> = Vec::new();
     for (index, curve) in curves.iter().enumerate() {
@@ -98,7 +99,7 @@ pub(super) fn name(curves: &mut [CoupledCurve], rotor: &Rotor) {
     }
 }
 
-/// "1st flapwise collective (12 to 14.5 rpm)". At one speed only one curve has a name.
+/// "1st flapwise collective (12 to 14.5 rpm)". At each speed only one curve has a name.
 fn with_speeds(curve: &CoupledCurve, name: TurbineModeName) -> String {
     let mut ranges = curve.names().into_iter().filter(|own| own.name == name);
     let range = ranges
@@ -116,7 +117,7 @@ pub(super) fn pair(curves: &mut [CoupledCurve]) {
     }
 }
 
-/// The name of the mode that whirls the other way.
+/// The name of the mode with the opposite whirl direction.
 pub(super) fn opposite(name: TurbineModeName) -> Option<TurbineModeName> {
     let TurbinePart::Blades(motion, harmonic) = name.part else {
         return None;

@@ -10,16 +10,16 @@ use crate::resonance::{
     CampbellError, CampbellOptions, DEFAULT_MARGIN, MOST_MODES, reach_hz, speeds_rpm,
 };
 
-/// The diagram reaches this multiple of the second bending frequency of the tower with a rigid
-/// rotor, which the flexible rotor may move up …
+/// The diagram extends to this multiple of the second bending frequency of the tower with a rigid
+/// rotor, because a flexible rotor may increase it, …
 const ABOVE_SECOND: f64 = 1.5;
-/// … but no more than this multiple of the frequency that the excitations reach.
+/// … but at most to this multiple of the highest excitation frequency.
 const WORTH: f64 = 2.0;
-/// Halvings of a limit until the number of modes is right.
+/// Number of bisections to find a limit with the required number of modes.
 const HALVINGS: usize = 40;
-/// The largest number of modes that are followed, some minutes of work at 25 to 125 speeds.
+/// The largest number of followed modes, some minutes of computation at 25 to 125 speeds.
 const MOST_FOLLOWED: usize = 300;
-/// The largest number of rotor speeds that are given.
+/// The largest number of given rotor speeds.
 const MOST_SPEEDS: usize = 1000;
 
 /// Options of a coupled Campbell diagram.
@@ -44,17 +44,17 @@ pub struct CoupledOptions {
 /// The rotor speeds at which a turbine is solved.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RotorSpeeds {
-    /// So many, equally spaced from standstill to [`BEYOND_OPERATION`] times the highest operating
-    /// speed, and the lowest and the highest operating speed: 2 to 1000.
+    /// This number of speeds, 2 to 1000, equally spaced from standstill to [`BEYOND_OPERATION`]
+    /// times the highest operating speed, and the lowest and the highest operating speed.
     ///
     /// [`BEYOND_OPERATION`]: crate::resonance::BEYOND_OPERATION
     Equal(usize),
-    /// These, rpm, and the lowest and the highest operating speed.
+    /// These speeds, rpm, and the lowest and the highest operating speed.
     Given(Vec<f64>),
 }
 
 impl CoupledOptions {
-    /// The usual options with a limit, Hz.
+    /// The default options with this limit, Hz.
     pub fn up_to(limit_hz: f64) -> Self {
         let usual = CampbellOptions::default();
         Self {
@@ -67,7 +67,7 @@ impl CoupledOptions {
         }
     }
 
-    /// The options that a diagram of the tower alone has too.
+    /// The options that also apply to a diagram of the tower alone.
     pub(super) fn common(&self) -> CampbellOptions {
         let usual = CampbellOptions::default();
         CampbellOptions {
@@ -81,7 +81,7 @@ impl CoupledOptions {
         }
     }
 
-    /// The rotor speeds by rising order, rpm.
+    /// The rotor speeds in increasing order, rpm.
     ///
     /// # Errors
     /// [`CoupledError::Speed`], [`CoupledError::Speeds`].
@@ -106,10 +106,10 @@ impl CoupledOptions {
     }
 }
 
-/// A limit for the coupled diagram of a turbine, Hz: the frequency that its excitations reach, and
-/// the second bending modes of its tower where they are less than twice as high. The solution is
-/// that of the tower with a rigid rotor. A turbine with more than [`MOST_MODES`] modes below has a
-/// limit with so many at rest.
+/// A limit for the coupled diagram of a turbine, Hz: the highest excitation frequency, raised to
+/// include the second bending modes of its tower if they are below twice this frequency. The
+/// solution is that of the tower with a rigid rotor. If the turbine has more than [`MOST_MODES`]
+/// modes below, the limit is lowered to this number of modes at rest.
 #[must_use]
 pub fn coupled_limit_hz(
     rotor: &Rotor,
@@ -144,7 +144,8 @@ pub(super) fn check_limit(limit_hz: f64) -> Result<f64, CoupledError> {
     }
 }
 
-/// Refuses more modes up to the frequency to which they are sought than can be followed.
+/// Refuses a limit if more modes are below the highest frequency of the search than can be
+/// followed.
 ///
 /// # Errors
 /// [`CoupledError::Modes`], with a limit that is possible.
@@ -166,39 +167,40 @@ pub(super) fn check_modes(
     })
 }
 
-/// The range above the limit of a diagram in which modes are computed.
+/// The range above the limit of a diagram in which modes are also computed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Headroom {
-    /// The longest step of the rotor speed, Hz.
+    /// The largest step of the rotor speed, Hz.
     step_hz: f64,
 }
 
 impl Headroom {
-    /// Modes are sought up to this multiple of the limit …
+    /// Modes are searched up to this multiple of the limit, …
     const FACTOR: f64 = 1.1;
-    /// … and up to so many times the change of the rotor speed in a step above it: a frequency in
-    /// the fixed frame changes by about as much as the speed.
+    /// … and at least up to this many steps of the rotor speed above it: a frequency in the fixed
+    /// frame changes by about as much as the speed.
     const STEPS: f64 = 3.0;
 
-    /// With rotor speeds by rising order, rpm.
+    /// The headroom for rotor speeds in increasing order, rpm.
     pub(super) fn of(speeds_rpm: &[f64]) -> Self {
         let steps = speeds_rpm.windows(2).map(|step| step[1] - step[0]);
         let step_hz = steps.fold(0.0, f64::max) / 60.0;
         Self { step_hz }
     }
 
-    /// The frequency up to which modes are sought for a limit, Hz.
+    /// The highest frequency of the search for a limit, Hz.
     pub(super) fn above(&self, limit_hz: f64) -> f64 {
         (Self::FACTOR * limit_hz).max(limit_hz + Self::STEPS * self.step_hz)
     }
 
-    /// The limit for which modes are sought up to a frequency, Hz; not positive if there is none.
+    /// The limit for a highest frequency of the search, Hz; not positive if there is none.
     fn below(&self, sought_hz: f64) -> f64 {
         (sought_hz / Self::FACTOR).min(sought_hz - Self::STEPS * self.step_hz)
     }
 }
 
-/// The limit, or that below which the turbine at rest has so many modes at most.
+/// The limit, lowered if necessary so that the turbine at rest has at most this number of modes
+/// below it.
 fn with_most_modes(model: &mut TurbineModel, limit_hz: f64, most: usize) -> f64 {
     let mut has_more = |hz: f64| model.count(hz, 0.0) > most;
     if !has_more(limit_hz) {
@@ -219,10 +221,10 @@ fn with_most_modes(model: &mut TurbineModel, limit_hz: f64, most: usize) -> f64 
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CoupledError {
-    /// Margin, multiples, number of speeds or rotor.
+    /// The margin, the multiples, the number of speeds or the rotor are invalid.
     #[error(transparent)]
     Options(#[from] CampbellError),
-    /// The turbine, or the limit of the frequencies.
+    /// The turbine or the frequency limit is invalid.
     #[error(transparent)]
     Turbine(#[from] TurbineError),
     /// The turbine cannot be solved at a rotor speed.
@@ -230,10 +232,10 @@ pub enum CoupledError {
     At {
         /// The speed, rpm.
         rotor_speed_rpm: f64,
-        /// Why.
+        /// The reason.
         error: TurbineError,
     },
-    /// Two numbers of blades.
+    /// The number of blades of the rotor differs from that of the turbine.
     #[error(
         "the number of blades is given as {rotor}, but the turbine has {turbine} blades; give {turbine}, or omit the number"
     )]
@@ -249,18 +251,18 @@ pub enum CoupledError {
         four_digits(*.sought_hz), remedy(*.possible_hz)
     )]
     Modes {
-        /// The number of modes at rest below the frequency up to which they are sought.
+        /// The number of modes at rest below the highest frequency of the search.
         modes: usize,
         /// This frequency, Hz.
         sought_hz: f64,
         /// The largest possible limit, Hz; not positive if the steps of the rotor speed are too
-        /// long for any.
+        /// large for any limit.
         possible_hz: f64,
     },
     /// The computation of the diagram was cancelled.
     #[error("the diagram was cancelled")]
     GivenUp,
-    /// A rotor speed that is negative or no number.
+    /// A rotor speed that is negative or not finite.
     #[error("a rotor speed is {rpm} rpm; it must be a finite number of at least 0")]
     Speed {
         /// The speed, rpm.

@@ -5,14 +5,15 @@ use crate::assignment::Assignment;
 use super::follow::{is_clear, is_of_pair, macs};
 use super::solved::{Solved, SolvedSpeed};
 
-/// A step is divided down to this fraction of the mean step: two curves that exchange their shapes
-/// within less are taken for curves that cross.
+/// A step is divided down to this fraction of the mean step: curves that exchange their shapes
+/// within a smaller step count as crossing.
 const FINEST: f64 = 1.0 / 32.0;
 /// Largest number of divisions of a step.
 const ROUNDS: usize = 8;
 
-/// Solves at rotor speeds, and where the modes of neighbours are ambiguous or swap their order at
-/// speeds between, at most `most_added`. Only modes up to `shown_hz` count.
+/// Solves at rotor speeds, and at speeds between them if the modes at neighbouring speeds are
+/// ambiguous or exchange their order, at most `most_added`. Only modes up to `shown_hz` are
+/// considered.
 pub(super) fn solved_speeds<S: Solved, E>(
     speeds_rpm: &[f64],
     shown_hz: f64,
@@ -70,7 +71,7 @@ pub(super) fn solved_speeds<S: Solved, E>(
     Ok(speeds)
 }
 
-/// The shortest step that is looked at, rpm.
+/// The shortest step that is considered, rpm.
 fn finest_rpm(speeds_rpm: &[f64]) -> f64 {
     match speeds_rpm {
         [first, .., last] => FINEST * (last - first) / (speeds_rpm.len() - 1) as f64,
@@ -119,8 +120,8 @@ fn division_rpm<S: Solved>(
     (low.rotor_speed_rpm < rpm && rpm < high.rotor_speed_rpm).then_some(rpm)
 }
 
-/// The fraction of a step after which the first two modes that swap their order are expected to
-/// have the same frequency; none if all that swap do so within `finest` of an end.
+/// The fraction of a step after which the first two modes that exchange their order are expected to
+/// have equal frequencies; none if all such exchanges are within `finest` of an end.
 fn swap<S: Solved>(
     from: &S,
     to: &S,

@@ -1,4 +1,4 @@
-//! The limits of a coupled Campbell diagram, as remarks.
+//! The limitations of a coupled Campbell diagram, as remarks.
 
 use towermodes::turbine::{Turbine, TurbineModes};
 
@@ -10,8 +10,8 @@ use super::diagram::CoupledCampbell;
 use super::solved::SolvedSpeed;
 
 impl CoupledCampbell {
-    /// The worst verdict of all margins; at best [`Verdict::Warn`] where modes do not cover all
-    /// excitations, or where the turbine is unstable or not certified at an operating speed.
+    /// The worst verdict of all pairs; at best [`Verdict::Warn`] if the modes do not cover all
+    /// excitations, or if the turbine is unstable or not certified at an operating speed.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         let rotor = &self.campbell.rotor;
@@ -23,7 +23,7 @@ impl CoupledCampbell {
         }
     }
 
-    /// The limits of the diagram: values of the rotor that look like mistakes, lost modes,
+    /// The limitations of the diagram: values of the rotor that look like mistakes, lost modes,
     /// excitations above the list of modes, speeds without certificate, modes of negative energy.
     #[must_use]
     pub fn remarks(&self, turbine: &Turbine) -> Vec<Remark> {

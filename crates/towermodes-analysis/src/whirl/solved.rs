@@ -1,4 +1,4 @@
-//! The modes at a rotor speed, as they are followed.
+//! The modes at a rotor speed, with the data that are needed to follow them.
 
 use towermodes::turbine::TurbineModes;
 
@@ -26,7 +26,7 @@ pub(super) trait Solved {
     /// A mode as a point of a curve.
     fn point(&self, mode: usize) -> CurvePoint;
 
-    /// The modal assurance criterion of a mode and one at another speed.
+    /// The modal assurance criterion of a mode with a mode at another speed.
     fn mac(&self, mode: usize, other: &Self, other_mode: usize) -> f64;
 
     /// The frequency of a mode, Hz.

@@ -1,4 +1,4 @@
-//! Curves of modes that are known in closed form: two motions at a time, coupled or not.
+//! Tests with curves that are known in closed form: two motions at a time, coupled or uncoupled.
 
 use towermodes::turbine::{
     BladeMotion, CoupledFrequency, Harmonic, TurbineEnergy, TurbineModeName, TurbinePart,
@@ -13,7 +13,7 @@ use super::solved::Solved;
 use crate::Verdict;
 use crate::resonance::{CampbellError, StiffnessClass};
 
-/// A mode as a mixture of motions, each named by its part.
+/// A mode as a combination of motions, each named by its part.
 #[derive(Debug, Clone, PartialEq)]
 struct Mixture {
     hz: f64,
@@ -96,8 +96,8 @@ const ROTOR: Rotor = Rotor {
     highest_rpm: 12.0,
 };
 
-/// Speeds 0 to 14.4 rpm in steps of 1.2, which have both operating speeds among them: the shortest
-/// step is 0.0375 rpm.
+/// Speeds 0 to 14.4 rpm in steps of 1.2, which include both operating speeds: the shortest step is
+/// 0.0375 rpm.
 fn options() -> CoupledOptions {
     CoupledOptions {
         speeds: RotorSpeeds::Equal(13),
@@ -151,8 +151,8 @@ fn uncoupled_curves_cross() {
     );
 }
 
-/// The least distance is 2 c, at the speed at which uncoupled curves would cross; for wide and for
-/// narrow couplings, of which the steps of 1.2 rpm alone would see nothing.
+/// The smallest distance is 2 c, at the speed at which uncoupled curves would cross; for strong
+/// couplings, and for weak couplings that are not visible with steps of 1.2 rpm.
 #[test]
 fn coupled_curves_veer() {
     for coupling in [0.1, 0.02, 0.005] {
@@ -184,8 +184,8 @@ fn curves_that_hardly_act_on_each_other_cross() {
     }
 }
 
-/// At rest tilt and yaw, half forward and half backward each; both are whirls at a twentieth of a
-/// step: the lower is the backward one.
+/// At rest the modes are tilt and yaw, each half forward and half backward; after a twentieth of a
+/// step both are whirls: the lower is the backward one.
 #[test]
 fn tilt_and_yaw_become_whirls() {
     let found = of_two([flap(Harmonic::Backward), flap(Harmonic::Forward)], |rpm| {
@@ -211,8 +211,8 @@ fn tilt_and_yaw_become_whirls() {
     }
 }
 
-/// The name of a curve is that of most operating speeds, 6 to 12 rpm: equal at 8 rpm, the lower
-/// curve is side-side for 4 of 6 rpm.
+/// The name of a curve is the name over most of the operating speeds, 6 to 12 rpm: the frequencies
+/// are equal at 8 rpm, and the lower curve is side-side for 4 of 6 rpm.
 #[test]
 fn curves_are_named_in_operation() {
     let found = of_two([FORE_AFT, SIDE_SIDE], |rpm| {
@@ -225,7 +225,7 @@ fn curves_are_named_in_operation() {
 }
 
 /// A frequency of 0.5 Hz: 3P is 0.3 to 0.6 Hz and crosses it at 10 rpm; 1P is up to 0.2 Hz, 6P from
-/// 0.6 Hz. The tower fails, the blades warn.
+/// 0.6 Hz. The tower mode fails, the blade mode gives a warning.
 #[test]
 fn excitations_are_judged_against_curves() {
     let found = of_two([FORE_AFT, flap(Harmonic::Collective)], |_| {
@@ -248,7 +248,7 @@ fn excitations_are_judged_against_curves() {
     assert_eq!(found.campbell.uncovered_range_hz(), None);
 }
 
-/// Modes that rise above the limit are not lost: they do not warn.
+/// Modes whose frequencies rise above the limit are not lost and give no warning.
 #[test]
 fn curves_leave_the_diagram() {
     let found = of_two([FORE_AFT, SIDE_SIDE], |rpm| ([0.25, 1.5 + 0.07 * rpm], 0.0));
@@ -269,7 +269,7 @@ fn curves_leave_the_diagram() {
     assert!(found.speeds.iter().all(|speed| !speed.is_added));
 }
 
-/// A shape that is nowhere at the next speed ends its curve, and another begins.
+/// A shape that no mode has at the next speed ends its curve, and another curve begins.
 #[test]
 fn a_shape_that_changes_at_once_is_lost() {
     let solve = |rpm: f64, _: f64, _: Option<&Mixtures>| {
@@ -380,8 +380,8 @@ fn impossible_options_are_refused() {
     ));
 }
 
-/// A mode that turns from one motion into another, and no mode that turns the other way: its name
-/// changes on its curve, but it is one mode, with one margin for each multiple.
+/// The shape of a mode changes from one motion to another, and no mode changes the other way: its
+/// name changes on its curve, but it is one mode, with one distance for each multiple.
 #[test]
 fn a_mode_that_changes_its_name_alone_is_judged_once() {
     let (shaft, collective) = (TurbinePart::Shaft, flap(Harmonic::Collective));

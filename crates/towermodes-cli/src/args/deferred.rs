@@ -29,7 +29,8 @@ impl<T: Args> Args for Deferred<T> {
     }
 }
 
-/// The command keeps its description: clap would replace it by the comment on `T`.
+/// Adds the arguments, but keeps the description of the command, which clap would replace by the
+/// comment on `T`.
 fn with_own_description(command: Command, augment: fn(Command) -> Command) -> Command {
     let about = Resettable::from(command.get_about().cloned());
     let long_about = Resettable::from(command.get_long_about().cloned());

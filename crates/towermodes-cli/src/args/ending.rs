@@ -56,7 +56,7 @@ pub(crate) enum EndingError {
     },
     /// The option and the extension contradict each other.
     Differ {
-        /// The option with its value.
+        /// The option with its value, as given.
         said: String,
         /// The extension.
         ending: String,

@@ -10,12 +10,12 @@ use towermodes_report::report::quoted;
 use super::parsers::{height_parser, setting_parser, subset_parser};
 use super::words::{flag, valued};
 
-/// Heading of the options for all input files in the help.
+/// Heading in the help of the options for all input files.
 const MODEL: &str = "Model";
-/// Heading of the options for certain formats in the help.
+/// Heading in the help of the options for certain formats.
 const OTHERS: &str = "Files of other programs";
 
-/// The input file and its reading options.
+/// The input file and the options for reading it.
 #[derive(Debug, Args)]
 pub(crate) struct InputArguments {
     /// Tower file (.toml), BModes deck (.bmi), ElastoDyn main or tower file (.dat, or the .fst that
@@ -34,12 +34,12 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = MODEL, long)]
     pub(crate) no_rna: bool,
 
-    /// Omit gravity (no geometric stiffness); not for a floating tower, whose buoyancy is gravity
+    /// Omit gravity (no geometric stiffness); not for a floating tower, because buoyancy exists only with gravity
     #[arg(help_heading = MODEL, long)]
     no_gravity: bool,
 
     /// Clamp a tower of OpenFAST or windIO at its base, without the jacket or platform below it;
-    /// for a SubDyn file, hold the interface joints
+    /// for a SubDyn file, fix the interface joints
     #[arg(help_heading = OTHERS, long)]
     pub(crate) clamped: bool,
 
@@ -69,8 +69,8 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Part::All)]
     part: Part,
 
-    /// Where members of the floating platform of a windIO turbine end that begin at the axis of
-    /// another member; the file does not say it, and frequencies differ by some percent
+    /// Ends of the members of the floating platform of a windIO turbine that the file lets begin at
+    /// the axis of another member; the choice changes frequencies by some percent
     #[arg(help_heading = OTHERS, long, value_name = "ENDS", value_enum, default_value_t = Ends::Balance)]
     member_ends: Ends,
 
@@ -103,7 +103,7 @@ enum Part {
 /// Where members of a floating platform end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Ends {
-    /// Cut, or whole if weight, buoyancy and lines are nearer to balance then.
+    /// Cut, or whole if the sum of weight, buoyancy and mooring force is then closer to zero.
     Balance,
     /// At the surface of the other member, as in WISDEM.
     Cut,
@@ -124,17 +124,17 @@ impl ReadingArguments {
     /// Checks that each option applies to at least one of the files.
     ///
     /// # Errors
-    /// The message for the first option that does not.
+    /// The message for the first option that applies to none.
     pub(crate) fn check(&self, formats: &[FileFormat]) -> Result<(), &'static str> {
         let names = self.settings.iter().map(Setting::name);
         Self::check_names(&self.options(), names)?;
         Self::check_options(&self.options(), formats)
     }
 
-    /// Checks that no number is changed that the readers omit.
+    /// Checks that no setting changes an input value that the readers omit.
     ///
     /// # Errors
-    /// The message for the first number that is.
+    /// The message for the first setting that does.
     pub(crate) fn check_names<'a>(
         given: &ReadOptions,
         names: impl Iterator<Item = &'a str>,
@@ -152,7 +152,7 @@ impl ReadingArguments {
         Ok(())
     }
 
-    /// Checks that no column changes a number that the readers omit.
+    /// Checks that no column changes an input value that the readers omit.
     ///
     /// # Errors
     /// The message for the first column that does, beginning with the option.
@@ -169,7 +169,7 @@ impl ReadingArguments {
     /// Checks that each option of the readers applies to at least one of the files.
     ///
     /// # Errors
-    /// The message for the first option that does not, beginning with its name.
+    /// The message for the first option that applies to none, beginning with its name.
     pub(crate) fn check_options(
         given: &ReadOptions,
         formats: &[FileFormat],
@@ -241,7 +241,7 @@ impl ReadingArguments {
         options.chain(settings).collect::<Vec<_>>().join(" ")
     }
 
-    /// The options that are given as words of a command line, without the settings.
+    /// The given options as arguments of a command line, without the settings.
     pub(crate) fn words(&self) -> Vec<String> {
         let part = self.part.to_possible_value();
         let part = part.filter(|_| self.part != Part::All);

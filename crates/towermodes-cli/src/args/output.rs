@@ -21,7 +21,8 @@ pub(crate) struct Destination<F: Ending = Format> {
 }
 
 impl<F: Ending> Destination<F> {
-    /// The format of the result: the option, or else the extension of the output file.
+    /// The format of the result: that of the option, otherwise that of the extension of the output
+    /// file.
     ///
     /// # Errors
     /// The option and the extension contradict each other, or the extension is unknown.
@@ -35,7 +36,7 @@ impl<F: Ending> Destination<F> {
         file_of(self.output.as_deref())
     }
 
-    /// The same, with `-` for standard output if the command line has it.
+    /// The output as given, including `-` for standard output.
     pub(crate) fn asked_output(&self) -> Option<&Path> {
         self.output.as_deref()
     }

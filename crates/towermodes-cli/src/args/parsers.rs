@@ -13,7 +13,7 @@ pub(crate) fn method_parser() -> impl TypedValueParser<Value = Method> {
         .map(|name| Method::named(&name).unwrap_or_default())
 }
 
-/// A number of a tower that is set by name.
+/// An input value of a tower that is set by name.
 pub(crate) fn setting_parser(text: &str) -> Result<Setting, String> {
     text.parse()
         .map_err(|error: SettingError| error.to_string())
@@ -47,7 +47,7 @@ pub(crate) fn tolerance_parser(text: &str) -> Result<(Option<String>, Tolerance)
     }
 }
 
-/// A number that is right, or the message.
+/// A number that satisfies `is_right`; otherwise the message.
 fn number(text: &str, is_right: fn(f64) -> bool, message: &str) -> Result<f64, String> {
     let number = text.trim().parse().ok();
     let number = number.filter(|number| is_right(*number));
@@ -63,7 +63,7 @@ pub(crate) fn hinge_parser(text: &str) -> Result<f64, String> {
     )
 }
 
-/// At which frequency a floating platform has its added mass.
+/// The frequency at which a floating platform has its added mass.
 pub(crate) fn added_mass_parser(text: &str) -> Result<AddedMassAt, String> {
     AddedMassAt::named(text.trim())
         .ok_or_else(|| "must be own, infinite, zero or a frequency in Hz, 0 or positive".to_owned())

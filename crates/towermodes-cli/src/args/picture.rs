@@ -1,18 +1,18 @@
-//! The file of a picture that a command draws beside its result.
+//! The file of a picture that a command draws in addition to its result.
 
 use std::path::Path;
 
 /// The format of such a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PictureFile {
-    /// Lines and text, for any size.
+    /// SVG: lines and text, for any size.
     Svg,
-    /// Pixels.
+    /// PNG: pixels.
     Png,
 }
 
 impl PictureFile {
-    /// The message for another file extension.
+    /// The message for an unknown file extension.
     pub(crate) const UNKNOWN: &str =
         "unknown file extension for a picture; use --plot FILE.svg or FILE.png";
 
@@ -25,7 +25,7 @@ impl PictureFile {
         path.map(with_format).transpose()
     }
 
-    /// By the file extension.
+    /// The format that a file extension selects.
     pub(crate) fn of(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_ascii_lowercase();
         match ending.to_str() {

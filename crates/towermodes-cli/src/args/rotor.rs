@@ -37,7 +37,7 @@ pub(crate) struct RotorArguments {
 }
 
 impl RotorArguments {
-    /// The rotor of the file, with the options of the command line in place of its data; none if
+    /// The rotor of the file, with its data replaced by the options of the command line; none if
     /// the rotor speed is unknown.
     pub(crate) fn rotor(&self, input: &TowerInput) -> Option<ChosenRotor> {
         let given = self.given();
@@ -60,7 +60,7 @@ impl RotorArguments {
         }
     }
 
-    /// The options that are given as words of a command line.
+    /// The given options as arguments of a command line.
     pub(crate) fn words(&self) -> Vec<String> {
         let multiples: Vec<String> = self.multiples.iter().map(ToString::to_string).collect();
         let multiples = Some(multiples.join(",")).filter(|list| !list.is_empty());
@@ -92,7 +92,7 @@ impl RotorArguments {
 mod tests {
     use super::RotorArguments;
 
-    /// As the help states.
+    /// The default is the value that the help states.
     #[test]
     fn the_default_margin_is_five_percent() {
         let asked = RotorArguments {

@@ -1,4 +1,4 @@
-//! The option of the band of soil stiffness.
+//! The option for the factors of the soil stiffness.
 
 use clap::Args;
 use towermodes::TowerDescription;
@@ -23,7 +23,7 @@ impl SoilArguments {
         !self.soil_factor.is_empty()
     }
 
-    /// The factors of the band; none without soil, and for the factor 1 alone.
+    /// The factors of the soil stiffness; none without soil, and if the only factor is 1.
     ///
     /// # Errors
     /// The message if factors are given for a tower without soil.

@@ -34,7 +34,7 @@ impl SolverArguments {
         self.model.modes.is_some()
     }
 
-    /// The options that are given as words of a command line.
+    /// The given options as arguments of a command line.
     pub(crate) fn words(&self) -> Vec<String> {
         [
             valued("--method", self.method.map(Method::name)),
@@ -64,7 +64,7 @@ impl SolverArguments {
     }
 }
 
-/// Options that hold for all methods.
+/// Options that apply to all methods.
 #[derive(Debug, Args)]
 pub(crate) struct ModelArguments {
     /// Number of modes, from the lowest [default: 8; BModes decks: the number in the deck]
@@ -111,7 +111,7 @@ impl ModelArguments {
             || self.no_limits
     }
 
-    /// The options that are given as words of a command line.
+    /// The given options as arguments of a command line.
     pub(crate) fn words(&self) -> Vec<String> {
         [
             valued("--modes", self.modes),
@@ -142,7 +142,7 @@ impl ModelArguments {
     /// Checks that the options apply to a substructure.
     ///
     /// # Errors
-    /// The message for an option that does not.
+    /// The message for an option that does not apply.
     pub(crate) fn check_for_substructure(&self) -> Result<(), &'static str> {
         if self.no_rotary_inertia {
             return Err(
@@ -159,7 +159,7 @@ impl ModelArguments {
     /// Checks that the options apply to the method.
     ///
     /// # Errors
-    /// The message for an option that does not.
+    /// The message for an option that does not apply.
     pub(crate) fn check(&self, method: Method) -> Result<(), &'static str> {
         if self.hinges.is_some() && method != Method::Cardanic {
             return Err(
@@ -172,7 +172,7 @@ impl ModelArguments {
     /// Checks that the options apply to a rotating blade.
     ///
     /// # Errors
-    /// The message for an option that does not.
+    /// The message for an option that does not apply.
     pub(crate) fn check_for_blade(&self) -> Result<(), &'static str> {
         if self.no_rotary_inertia {
             return Err(
@@ -193,7 +193,7 @@ impl ModelArguments {
         }
     }
 
-    /// Other options with these changed.
+    /// Options in which the given ones replace those of `options`.
     pub(crate) fn in_place_of(&self, options: Options) -> Options {
         Options {
             modes: self.modes.unwrap_or(options.modes),

@@ -45,14 +45,14 @@ pub(crate) struct TurbineArguments {
 }
 
 impl TurbineArguments {
-    /// Holds the generator of the input's turbine as asked.
+    /// Sets the generator of the turbine to the requested state.
     pub(crate) fn hold_generator(&self, input: &mut TowerInput) {
         if let (Some(state), Some(turbine)) = (self.generator, &mut input.turbine) {
             turbine.generator.is_locked = state == GeneratorState::Locked;
         }
     }
 
-    /// Whether an option is given that only a turbine has.
+    /// Whether an option is given that applies only to a turbine.
     pub(crate) fn is_given(&self) -> bool {
         self.limit.is_some() || self.speeds.is_some() || self.generator.is_some()
     }

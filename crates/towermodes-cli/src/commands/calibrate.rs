@@ -33,7 +33,7 @@ MEASURED is a TOML file with the measured frequencies and the input values to be
   frequency = 0.2585
   deviation = 0.001
 
-A prior has mean and standard deviation, a measurement frequency and standard deviation in Hz. A good fit does not show that the model is valid. `towermodes parameters FILE` lists the names of the input values.
+A prior consists of a mean and a standard deviation; a measurement consists of a frequency and a standard deviation in Hz. A good fit does not show that the model is valid. `towermodes parameters FILE` lists the names of the input values.
 
 Exit codes: 0 the values are fitted, 1 the measurements do not determine them, the computation or the output failed, 2 wrong usage or wrong input.";
 
@@ -76,7 +76,7 @@ fn separated(names: &str) -> Vec<&str> {
     names.split(is_end).map(str::trim).collect()
 }
 
-/// Fits numbers of a tower to measured frequencies, and writes the fitted tower.
+/// Fits input values of a tower to measured frequencies, and writes the fitted tower.
 pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     check_output(&arguments.found, &arguments.input, &arguments.measured)?;
     let output = arguments.found.output();
@@ -106,7 +106,8 @@ pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     result.deliver(None)
 }
 
-/// The problem of a file, with the unknowns of the command line if there are some.
+/// The problem of a calibration file; the unknowns of the command line, if given, replace those of
+/// the file.
 fn problem_of(
     base: &TowerDescription,
     file: &MeasuredFile,
@@ -124,7 +125,7 @@ fn problem_of(
     }
 }
 
-/// Errors that the file explains name it, with the line.
+/// Adds the line of the calibration file to an error that such a line explains.
 fn failure(error: CalibrationError, file: &MeasuredFile) -> Failure {
     match error {
         CalibrationError::Tower(error) => Failure::from(error),

@@ -19,7 +19,7 @@ const EXAMPLES: &str = "Examples:
   towermodes check IEA-15-240-RWT.yaml IEA_15MW_RWT_Tower_st.dat --part tower --tower-base 15
   towermodes check tower.toml Tower.dat --format json
 
-With two files: FAIL if mass, mass per length, a frequency, the RNA mass or inertia, the mass of platform or substructure, or the water depth differs by more than 0.5 %, the hydrostatic or mooring stiffness by more than 1 %, the height of the centre of mass by more than 0.5 % of the height range that both models cover, or EI or the tower-top flexibility by more than 1 %; WARN above half of these limits. If the heights of the tower bases or of the tower tops differ: WARN, or FAIL if more than 1 % of the height of the longer tower is outside the height range of the other.
+With two files: FAIL if a difference exceeds its limit, WARN if it exceeds half of it. The limit is 0.5 % for mass, mass per length, frequencies, RNA mass and inertia, the mass of platform or substructure, and the water depth. It is 1 % for EI, the tower-top flexibility, and the hydrostatic and mooring stiffness. For the height of the centre of mass it is 0.5 % of the height range that both models cover. If the heights of the tower bases or of the tower tops differ: WARN, or FAIL if more than 1 % of the height of the longer tower is outside the height range of the other.
 
 Exit codes: 0 verdict pass or warn; 1 verdict fail, or the computation or the output failed; 2 wrong usage or wrong input.";
 
@@ -107,8 +107,8 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     }
 }
 
-/// The notes of two files, each once. That a file has no data to omit is reported only if neither
-/// file has.
+/// The notes of two files, each once. The note that a file has no data to omit is reported only if
+/// neither file has such data.
 fn notes_of_both(first: &TowerInput, second: &TowerInput) -> Vec<Note> {
     let is_on_nothing = |note: &&Note| note.message == NOTHING_LEFT_OUT;
     let neither_has = [first, second]

@@ -63,11 +63,11 @@ impl CompareArguments {
     }
 }
 
-/// A column is timed for at least this time …
+/// A column is timed for at least this time, …
 const TIMING: Duration = Duration::from_millis(20);
-/// … and at least this number of times …
+/// … at least this number of times, …
 const FEWEST_TIMINGS: usize = 3;
-/// … unless this time is exceeded.
+/// … but not longer than this time.
 const LONG: Duration = Duration::from_secs(1);
 
 impl Analysis for CompareArguments {
@@ -77,7 +77,7 @@ impl Analysis for CompareArguments {
         (&self.input, &self.destination)
     }
 
-    /// Each option applies to at least one of the methods.
+    /// Checks that each option applies to at least one of the methods.
     fn check(&self, _: Format) -> Result<(), Failure> {
         let has = |method: Method| self.methods.is_empty() || self.methods.contains(&method);
         if !has(Method::Cardanic) {

@@ -92,7 +92,7 @@ impl Analysis for ConvergeArguments {
         Ok(self.fineness()?)
     }
 
-    /// Solves the tower on finer and finer meshes.
+    /// Solves the tower on increasingly fine meshes.
     fn answer(
         &self,
         tower: &Tower,

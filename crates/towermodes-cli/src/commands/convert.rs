@@ -59,8 +59,8 @@ impl Ending for Target {
 }
 
 impl ConvertArguments {
-    /// The format to write: the option, or else the extension of the output file; none if neither
-    /// gives one.
+    /// The format to write: that of the option, otherwise that of the extension of the output file;
+    /// none if neither gives one.
     ///
     /// # Errors
     /// The option and the extension contradict each other, or the extension is unknown.
@@ -87,7 +87,7 @@ impl ConvertArguments {
     }
 }
 
-/// A format to write towers in.
+/// A format in which towers can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Target {
     /// The tower file of this program; stores all data.
@@ -162,12 +162,12 @@ fn options(arguments: &ConvertArguments, to: Target) -> ConvertOptions {
     }
 }
 
-/// Neither the option nor the file extension gives a format.
+/// The message if neither the option nor the file extension gives a format.
 const NO_FORMAT: &str =
     "the format of the output is not known: give --to toml, bmodes, elastodyn or windio";
 
-/// Refuses to overwrite a section file without its deck, unless this program wrote it: then only an
-/// interrupted conversion of this program can be lost.
+/// Refuses to overwrite a section file whose deck does not exist, unless this program wrote it:
+/// then it is the rest of an interrupted conversion.
 fn check_is_own(companion: &Path, deck: &Path) -> Result<(), Failure> {
     if !companion.exists() || deck.exists() {
         return Ok(());
@@ -182,7 +182,7 @@ fn check_is_own(companion: &Path, deck: &Path) -> Result<(), Failure> {
     )))
 }
 
-/// Whether a section file begins like those of [`write_bmodes`].
+/// Whether a section file begins like the section files of [`write_bmodes`].
 fn is_own_sections(text: &str) -> bool {
     let mut lines = text.lines();
     let title = lines.next().unwrap_or_default();

@@ -61,7 +61,7 @@ pub(crate) struct DesignArguments {
     plot: Option<PathBuf>,
 }
 
-/// Finds the tower of a study, and writes it.
+/// Finds the tower of a design file, and writes it.
 pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
     check_output(&arguments.found, &arguments.input, &arguments.study)?;
     let picture = PictureFile::requested(arguments.plot.as_deref())?;
@@ -131,7 +131,7 @@ fn refused(error: StudyError) -> Failure {
     }
 }
 
-/// The rotor data of a tower file, without an option.
+/// The rotor data of a tower file; there is no option for them.
 const ROTOR: &str = "add to the tower file:
   [rotor]
   blades = 3

@@ -91,7 +91,7 @@ pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     server.run(explorer).map_err(failed)
 }
 
-/// The tower of a file, before any number is set: the page can put numbers back.
+/// The tower of a file, before any input value is set: the page can reset the values.
 fn unchanged(path: &Path, given: &ReadingArguments) -> Result<TowerInput, Failure> {
     let mut reading = given.clone();
     reading.settings.clear();
@@ -124,7 +124,7 @@ fn exploration(
     })
 }
 
-/// The page cannot be served.
+/// The failure if the page cannot be served.
 fn not_served(port: Option<u16>, error: &io::Error) -> Failure {
     match port {
         Some(port) => Failure::failed(format!("port {port} cannot be used: {error}"))
@@ -135,7 +135,7 @@ fn not_served(port: Option<u16>, error: &io::Error) -> Failure {
     }
 }
 
-/// Milliseconds since it was first asked.
+/// Milliseconds since the first call.
 fn clock() -> f64 {
     static START: OnceLock<Instant> = OnceLock::new();
     1e3 * START.get_or_init(Instant::now).elapsed().as_secs_f64()

@@ -1,5 +1,5 @@
-//! The commands: each has a file or a folder with its options and what it does, and a line in the
-//! list below.
+//! The commands: each has a file or a folder with its options and its computation, and a line in
+//! the list below.
 
 mod calibrate;
 mod campbell;
@@ -103,7 +103,7 @@ pub(crate) enum Command {
 }
 
 impl Command {
-    /// Runs the command of a command line.
+    /// Runs the command. `words` is the command line.
     pub(crate) fn run(&self, words: &[OsString]) -> Result<(), Failure> {
         match self {
             Self::Solve(arguments) => solve::run(arguments),

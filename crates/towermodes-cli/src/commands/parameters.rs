@@ -44,7 +44,7 @@ impl ParametersArguments {
         self.filters.is_empty() || self.filters.iter().any(|filter| contains(name, filter))
     }
 
-    /// The filters that no name contains.
+    /// The filters that occur in no name.
     fn unmatched<'a>(&'a self, names: &'a [String]) -> impl Iterator<Item = &'a str> {
         let is_unmatched = |filter: &&String| !names.iter().any(|name| contains(name, filter));
         self.filters.iter().filter(is_unmatched).map(String::as_str)

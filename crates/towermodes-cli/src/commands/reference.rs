@@ -110,7 +110,7 @@ fn options(command: &Command, heading: Option<&str>) -> String {
     table(&first, &rows)
 }
 
-/// An option as it is typed, the short form first.
+/// An option with its short form first.
 fn option_name(option: &Arg) -> String {
     let short = option.get_short().map(|short| format!("`-{short}`, "));
     // clap writes `--format <FORMAT>`, of a flag `--format`.

@@ -165,7 +165,7 @@ pub(crate) fn run(arguments: &ReportArguments, words: &[OsString]) -> Result<(),
     deliver(text.as_bytes(), output)
 }
 
-/// The page that a command line of `report` writes, of an input that is read already.
+/// The page that a command line of `report` writes, for an input that was already read.
 pub(crate) fn page_of(input: &TowerInput, words: &[String]) -> Result<String, Failure> {
     let words: Vec<OsString> = words.iter().map(OsString::from).collect();
     let parsed = Arguments::try_parse_from(&words);

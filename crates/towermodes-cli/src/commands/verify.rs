@@ -68,7 +68,8 @@ fn chapter_parser() -> PossibleValuesParser {
     PossibleValuesParser::new(CHAPTERS.map(|chapter| chapter.name))
 }
 
-/// Runs the verification manual and prints it; an error if a value is outside its tolerance.
+/// Runs the verification manual and prints the results; an error if a value is outside its
+/// tolerance.
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     let format = arguments.destination.format()?;
     let mut cases = manual();

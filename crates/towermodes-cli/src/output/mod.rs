@@ -32,7 +32,7 @@ pub(crate) fn deliver(result: &[u8], output: Option<&Path>) -> Result<(), Failur
     }
 }
 
-/// As above, for binary data, which are written to standard output unchanged.
+/// As [`deliver`], for binary data, which are written to standard output unchanged.
 pub(crate) fn deliver_bytes(result: &[u8], output: Option<&Path>) -> Result<(), Failure> {
     write(result, output, std::io::stdout().lock())
 }
@@ -79,7 +79,7 @@ pub(crate) fn check_terminal(
     }
 }
 
-/// Refuses a path to which no file can be written: a folder, or a file in a folder that does not
+/// Refuses a path at which no file can be written: a folder, or a file in a folder that does not
 /// exist.
 pub(crate) fn check_place(path: &Path) -> Result<(), Failure> {
     match place::Place::of(path) {
@@ -131,7 +131,7 @@ pub(crate) fn check_not_input(input: &Path, output: Option<&Path>) -> Result<(),
     }
 }
 
-/// As above, for all files of an input.
+/// As [`check_not_input`], for all files of an input.
 pub(crate) fn check_not_inputs<'a>(
     mut files: impl Iterator<Item = &'a str>,
     output: Option<&Path>,

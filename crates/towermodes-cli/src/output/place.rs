@@ -10,14 +10,14 @@ const MOST_LINKS: usize = 40;
 /// The target of a path.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Place {
-    /// A file that exists or not: the path at the end of all links.
+    /// A regular file, existing or not: the path at the end of all links.
     File(PathBuf),
     /// A terminal, a pipe, a device, or an open stream such as `/dev/stdout`.
     Stream,
 }
 
 impl Place {
-    /// Follows a path.
+    /// Finds the target of a path.
     ///
     /// # Errors
     /// The path is a folder, or its folder does not exist.

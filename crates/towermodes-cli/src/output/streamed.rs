@@ -1,4 +1,4 @@
-//! A result that is written as it is computed.
+//! A result that is written while it is computed.
 
 use std::fs::File;
 use std::io::{self, ErrorKind, IsTerminal, Write};
@@ -12,8 +12,8 @@ use super::whole::{Staged, open_stream};
 use crate::failure::Failure;
 use crate::terminal::NOT_SHOWN;
 
-/// A result that is written as it is computed: a file, which gets its name when it is complete, or
-/// a stream.
+/// A result that is written while it is computed: to a file, which gets its name when it is
+/// complete, or to a stream.
 pub(crate) struct Streamed {
     name: String,
     target: Target,
@@ -23,7 +23,7 @@ enum Target {
     File(Staged),
     Stream(File),
     Standard(Box<dyn Write + Send>),
-    /// Control characters are replaced.
+    /// A terminal: control characters are replaced.
     Terminal(Box<dyn Write + Send>),
 }
 
@@ -37,7 +37,7 @@ impl Streamed {
         }
     }
 
-    /// Gives the file its name.
+    /// Gives the complete file its name.
     pub(crate) fn finish(self) -> Result<(), Failure> {
         let done = match self.target {
             Target::File(staged) => staged.finish(),
@@ -55,7 +55,7 @@ impl Streamed {
         &self.name
     }
 
-    /// An error of writing. The reader of a pipe that has closed it is none.
+    /// The failure of a write. If the reader of a pipe has closed it, this is not a failure.
     pub(crate) fn failed(name: String, error: &io::Error) -> Result<(), Failure> {
         match error.kind() {
             ErrorKind::BrokenPipe => Ok(()),
@@ -80,7 +80,7 @@ fn target(output: Option<&Path>) -> io::Result<Target> {
     })
 }
 
-/// Whole lines are written at a time, so no character is cut.
+/// Whole lines are written at a time, so that no character is divided.
 impl Write for Streamed {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match &mut self.target {

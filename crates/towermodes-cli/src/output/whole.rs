@@ -9,7 +9,8 @@ use std::time::Duration;
 
 use super::place::{Place, folder_of};
 
-/// Number of names that are tried for a new file; names in use are left over from killed processes.
+/// Number of names that are tried for a new file; a name in use belongs to a file that a killed
+/// process left.
 const MOST_NAMES: usize = 1000;
 /// Number of attempts to get a lock before the program continues without it, and the time between
 /// them.
@@ -27,7 +28,7 @@ pub(super) fn write(path: &Path, content: &[u8]) -> io::Result<()> {
     }
 }
 
-/// Opens a stream at its end, if a file is behind it that others write to.
+/// Opens a stream at its end, because it may be a file to which other programs write too.
 pub(super) fn open_stream(path: &Path) -> io::Result<File> {
     OpenOptions::new().append(true).open(path)
 }
@@ -49,7 +50,7 @@ pub(super) fn write_both(first: (&Path, &[u8]), second: (&Path, &[u8])) -> io::R
     other.take_place().inspect_err(|_| old.put_back())
 }
 
-/// Writes a file under the first of several names that does not exist.
+/// Writes a new file under the first of several names that is not in use.
 pub(super) fn write_anew(
     names: impl Iterator<Item = PathBuf>,
     content: &[u8],
@@ -81,7 +82,7 @@ pub(super) struct Staged {
 }
 
 impl Staged {
-    /// An empty one.
+    /// An empty new file.
     pub(super) fn begin(target: PathBuf) -> io::Result<Self> {
         // A write-protected file is not replaced.
         match OpenOptions::new().write(true).open(&target) {
@@ -92,7 +93,7 @@ impl Staged {
         Ok(Self { file, new, target })
     }
 
-    /// A complete one.
+    /// A complete new file.
     fn new(target: PathBuf, content: &[u8]) -> io::Result<Self> {
         let mut staged = Self::begin(target)?;
         staged.write_all(content)?;
@@ -100,7 +101,7 @@ impl Staged {
         Ok(staged)
     }
 
-    /// Nothing more is written: it has the owner of the old file, and is on the disk.
+    /// Completes the file: sets the owner of the old file and writes everything to the disk.
     fn complete(&self) -> io::Result<()> {
         if let Ok(old) = fs::metadata(&self.target) {
             keep_owner(&self.file, &old);
@@ -110,7 +111,7 @@ impl Staged {
         self.file.sync_all()
     }
 
-    /// Completes it and puts it in the place of the old file.
+    /// Completes the new file and replaces the old file by it.
     pub(super) fn finish(self) -> io::Result<()> {
         self.complete()?;
         self.take_place()
@@ -143,7 +144,7 @@ impl Drop for Staged {
     }
 }
 
-/// A new file with a unique name in the folder of another.
+/// Creates a new file with a unique name in the folder of another file.
 fn create_beside(target: &Path) -> io::Result<(File, PathBuf)> {
     let process = std::process::id();
     for number in 0..MOST_NAMES {
@@ -173,7 +174,7 @@ fn keep_owner(_: &File, _: &fs::Metadata) {}
 /// The old file under a second name until it is no longer needed.
 struct Kept {
     name: PathBuf,
-    /// None if there was no old file.
+    /// The second name; none if there was no old file.
     second: Option<PathBuf>,
 }
 
@@ -206,8 +207,8 @@ impl Drop for Kept {
     }
 }
 
-/// A lock of a folder, if the system supports it: one writer of two files at a time. After a
-/// timeout the program continues without the lock.
+/// Locks a folder, if the system supports it, so that only one process writes two files there at a
+/// time. After a timeout the program continues without the lock.
 fn locked(folder: &Path) -> Option<File> {
     let folder = File::open(folder).ok()?;
     for _ in 0..LOOKS {

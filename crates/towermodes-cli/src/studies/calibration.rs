@@ -1,4 +1,4 @@
-//! Measured frequencies and the numbers that are to explain them.
+//! The calibration problem of a file and a tower, and its result as a document.
 
 use towermodes::{Change, TowerDescription};
 use towermodes_design::calibration::{
@@ -13,11 +13,11 @@ use towermodes_files::{
 /// Suggestion if there are too few measurements.
 const NO_PRIOR: &str = "give it { prior = [mean, standard deviation] }, or fit fewer inputs";
 
-/// The problem of a file for its tower: with the unknowns of the file, or with those that are
-/// `free` and what the file knows of them.
+/// The problem of a file for its tower: with the unknowns of the file, or with those in `free` and
+/// the priors and bounds that the file has for them.
 ///
 /// # Errors
-/// [`ReadError::Mistakes`] at names of the file that are not those of numbers.
+/// [`ReadError::Mistakes`] at names in the file that are not names of input values.
 pub fn problem(
     base: &TowerDescription,
     file: &MeasuredFile,
@@ -43,7 +43,7 @@ pub fn problem(
     })
 }
 
-/// An error at the place of the file that explains it; none for others.
+/// An error at the place in the file that explains it; none for others.
 pub fn located(error: &CalibrationError, file: &MeasuredFile) -> Option<ReadError> {
     let of_mode = error
         .measurement()

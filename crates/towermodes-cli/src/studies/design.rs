@@ -1,4 +1,4 @@
-//! Studies of designs.
+//! The design problem of a file and a tower, and its result as a document.
 
 use std::ops::Range;
 
@@ -13,18 +13,18 @@ use towermodes_files::{
     DesignedOther, DesignedVariable, Diagnostic, DiagnosticKind, ReadError, TowerInput,
 };
 
-/// Why a study has no problem.
+/// Why a design file does not define a problem for a tower.
 #[derive(Debug, Error)]
 pub enum StudyError {
-    /// Names of the study do not belong to the tower.
+    /// Names in the design file are not input values or modes of the tower.
     #[error("{0}")]
     Input(ReadError),
-    /// The study names multiples of the rotor speed, which is not known.
+    /// The design file uses multiples of the rotor speed, which is unknown.
     #[error(
         "the design file uses multiples of the rotor speed, but the tower file has no [rotor] rpm"
     )]
     NoRotorSpeeds,
-    /// A window between multiples of the rotor speed is empty.
+    /// The band between multiples of the rotor speed is empty.
     #[error("{0}")]
     Window(ReadError),
 }
@@ -39,7 +39,7 @@ pub fn options(study: &DesignStudy, input: &TowerInput) -> Options {
     }
 }
 
-/// The problem of a study for its tower.
+/// The problem of a design file for its tower.
 ///
 /// # Errors
 /// [`StudyError`].
@@ -95,7 +95,7 @@ fn goal(
     })
 }
 
-/// An error at the line of the study that explains it; none for others.
+/// An error at the line of the design file that explains it; none for others.
 pub fn located(
     error: &DesignError,
     study: &DesignStudy,
@@ -164,7 +164,7 @@ fn other(of: &OtherHolder) -> DesignedOther {
     }
 }
 
-/// The result with the names of the study.
+/// The result with the names of the design file.
 pub fn document(
     input: &TowerInput,
     problem: &DesignProblem,

@@ -1,5 +1,5 @@
-//! From the files of `design` and `calibrate` to problems, and from results to documents: what the
-//! program and the Python package have in common.
+//! Converts the files of `design` and `calibrate` to problems, and results to documents, for the
+//! program and the Python package.
 
 pub mod calibration;
 pub mod design;

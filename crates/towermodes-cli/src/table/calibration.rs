@@ -1,4 +1,4 @@
-//! Numbers fitted to measured frequencies as text.
+//! Fitted input values as text.
 
 use towermodes::number::{Rounded, digits};
 use towermodes_design::calibration::{Calibration, Fitted};
@@ -29,7 +29,7 @@ pub fn calibration(name: &str, result: &Calibration) -> String {
     text
 }
 
-/// A row for each unknown: what it was, what it is, and how well it is known.
+/// A row for each unknown: its value before and after the fit, and its uncertainty.
 fn unknowns(result: &Calibration) -> String {
     let row = |(index, one): (usize, &Fitted)| {
         let interval = one
@@ -61,7 +61,7 @@ fn unknowns(result: &Calibration) -> String {
     text_table(header, result.unknowns.iter().enumerate().map(row), 2..5)
 }
 
-/// Four digits.
+/// A number with four digits.
 fn short(value: f64) -> String {
     digits_or_power(value, 4)
 }
@@ -73,7 +73,7 @@ fn digits_or_power(value: f64, count: usize) -> String {
     }
 }
 
-/// The measurement or prior with the largest share of a number's variance.
+/// The measurement or prior with the largest share of an unknown's variance.
 fn decided_by(result: &Calibration, index: usize) -> String {
     let shares = &result.shares[index];
     let largest = shares.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));
@@ -120,7 +120,7 @@ fn measured(result: &Calibration) -> String {
     text_table(header, rows, 1..6)
 }
 
-/// A row for each prior: how far the fit moved the number away from it.
+/// A row for each prior: how far the fitted value differs from its mean.
 fn priors(result: &Calibration) -> String {
     let with_prior = result.unknowns.iter().filter_map(|one| {
         let prior = one.prior?;

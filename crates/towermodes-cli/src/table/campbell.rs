@@ -39,7 +39,8 @@ pub fn campbell(
     text + &coupled_modes("", modes)
 }
 
-/// Whether modes are of more than tower, drives and blades, so that tables say of what.
+/// Whether modes of other classes than tower, drivetrain and blades are listed, so that tables need
+/// a column for the class.
 pub(super) fn has_classes(campbell: &Campbell) -> bool {
     let mut classes = campbell.lines.iter().map(FrequencyLine::class);
     classes.any(|class| matches!(class, ModeClass::Platform | ModeClass::Substructure))
@@ -115,7 +116,7 @@ fn unresisted(campbell: &Campbell) -> Option<String> {
     (!free.is_empty()).then(|| format!("not checked (no stiffness): {}", free.join(", ")))
 }
 
-/// The words on gravity in the last line.
+/// The text about gravity in the last line.
 pub(super) fn weight(tower: &Tower) -> &'static str {
     match tower.gravity_m_per_s2() {
         0.0 => " | without gravity",
@@ -140,7 +141,7 @@ fn rule(campbell: &Campbell) -> String {
     }
 }
 
-/// The rotor, the margin and how many verdicts of each kind.
+/// The rotor, the margin and the number of verdicts of each kind.
 fn summary(campbell: &Campbell, has_blade: bool) -> String {
     match has_blade {
         true => summary_or(campbell, "the blade could not be solved"),
@@ -148,7 +149,7 @@ fn summary(campbell: &Campbell, has_blade: bool) -> String {
     }
 }
 
-/// As above, with the reason if there are no blade modes.
+/// As [`summary`], with the reason if there are no blade modes.
 pub(super) fn summary_or(campbell: &Campbell, without_blades: &str) -> String {
     let [pass, warn, fail] = verdict_counts(campbell);
     let mut lines = campbell.lines.iter();
@@ -288,8 +289,8 @@ mod tests {
         assert_eq!(hidden(8, true).as_deref(), Some(all));
     }
 
-    /// A blade that could not be solved is in the file all the same; files may have blades that are
-    /// not read.
+    /// A blade that could not be solved is nevertheless in the file; a file may have a blade that
+    /// is not read.
     #[test]
     fn that_there_is_no_blade_is_said_as_it_is() {
         let said = |has_blade| summary(&campbell(), has_blade);

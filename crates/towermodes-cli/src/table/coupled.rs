@@ -1,4 +1,5 @@
-//! The modes whose motions others share, in a line below a table that has only their names.
+//! The modes that share their motion with others, in a line below a table that contains only their
+//! names.
 
 use towermodes::Family;
 use towermodes::modes::Shares;

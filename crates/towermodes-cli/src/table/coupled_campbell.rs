@@ -1,5 +1,5 @@
-//! The coupled Campbell diagram of a turbine as text: conclusion, modes, distances, meetings,
-//! changes of names, what the flexible rotor changes, proof.
+//! The coupled Campbell diagram of a turbine as text: conclusion, modes, distances, crossings and
+//! veerings, changes of names, effect of the flexible rotor, proof.
 
 use towermodes::Tower;
 use towermodes::number::with_error;
@@ -12,8 +12,8 @@ use towermodes_report::wording::{STRUCTURE_ONLY, counted, proved};
 use super::campbell::{has_classes, hidden, pairs, summary_or, weight};
 use super::text::{text_table, title, wrapped};
 
-/// The diagram as text; `all` shows every pair of mode and excitation, and the meetings of curves
-/// outside the operating speeds.
+/// The diagram as text; `all` also shows distant pairs of mode and excitation, and crossings and
+/// veerings outside the operating speeds.
 pub fn coupled_campbell(
     tower: &Tower,
     coupled: &CoupledCampbell,
@@ -97,7 +97,7 @@ fn class_of(coupled: &CoupledCampbell, name: TurbineModeName) -> String {
 }
 
 /// For the names in the table of modes, the speeds at which the mode has less than 60 % of its
-/// energy in the part of its name, with the part that has most of the rest.
+/// energy in the part that its name states, with the part that has most of the rest.
 fn shared(coupled: &CoupledCampbell) -> String {
     let percent = |share: f64| format!("{:.0} %", 100.0 * share);
     let of_name = |name: &TurbineModeName| {
@@ -142,7 +142,7 @@ fn wide_table(header: &[String], rows: &[Vec<String>]) -> String {
     table.trim_fmt()
 }
 
-/// The crossings and veerings in operation, or all.
+/// The crossings and veerings within the operating speeds, or all.
 fn meetings(coupled: &CoupledCampbell, all: bool) -> String {
     let rotor = &coupled.campbell.rotor;
     let operation = rotor.lowest_rpm..=rotor.highest_rpm;
@@ -182,7 +182,7 @@ fn meetings(coupled: &CoupledCampbell, all: bool) -> String {
     text
 }
 
-/// The places in operation, or all, where a curve changes its name.
+/// The places where a curve changes its name, within the operating speeds or all.
 fn changes(coupled: &CoupledCampbell, all: bool) -> String {
     let rotor = &coupled.campbell.rotor;
     let operation = rotor.lowest_rpm..=rotor.highest_rpm;
@@ -205,10 +205,10 @@ fn changes(coupled: &CoupledCampbell, all: bool) -> String {
     format!("{}\n\n", text_table(header, rows.into_iter(), 2..=3))
 }
 
-/// Why a share stands in place of a difference.
+/// Explanation of the word "share" in place of a difference.
 const OTHER_MOTION: &str = "\"share\": the flexible rotor spreads this motion over several modes; the mode of this name has less than 60 % of its energy in this motion, so its frequency is not compared.";
 
-/// The tower's modes with a rigid machine, and what the flexible rotor makes of them.
+/// The modes of the tower with a rigid rotor, and the coupled modes of the same names.
 fn compared(coupled: &CoupledCampbell, against: &[AgainstRigid]) -> String {
     let hz = |change: Option<Change>| {
         change.map_or_else(|| "-".to_owned(), |own| format!("{:.4}", own.coupled_hz))
@@ -248,7 +248,7 @@ fn compared(coupled: &CoupledCampbell, against: &[AgainstRigid]) -> String {
     }
 }
 
-/// A number of two decimals without the sign of a zero.
+/// A number with two decimals; zero has no sign.
 fn unsigned_zero(percent: f64) -> f64 {
     (100.0 * percent).round() / 100.0 + 0.0
 }

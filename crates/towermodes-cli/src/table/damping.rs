@@ -38,7 +38,7 @@ pub fn damping(tower: &Tower, damping: &ModalDamping) -> String {
     text
 }
 
-/// The data of the damping by the rotor.
+/// The data of the aerodynamic damping.
 fn rotor(rotor: &RotorAerodynamics) -> String {
     format!(
         "rotor: chord moment {} m3 per blade, lift slope {} per rad, air {} kg/m3; fore-aft motion in attached flow at constant speed; the hub moves as the tower top; the rotor adds no side-side damping in this model",
@@ -75,7 +75,7 @@ fn energy(
     table(header, rows)
 }
 
-/// The parts of the kinetic energy of which any mode has some.
+/// The parts that have some of the kinetic energy of at least one mode.
 fn kinetic(modes: &[ModeDamping]) -> String {
     type Part<'a> = (&'a str, fn(&KineticParts) -> f64);
     let parts: [Part<'_>; 8] = [

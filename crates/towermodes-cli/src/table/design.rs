@@ -1,4 +1,4 @@
-//! A design as text: before and after, the limits that decide, the proof.
+//! A design as text: values before and after, active limits, the check of the minimum.
 
 use towermodes::number::{Plain, digits};
 use towermodes_design::design::{Design, DesignProblem, Goal, OtherHolder, Reached, Steps};
@@ -6,8 +6,8 @@ use towermodes_report::wording::structure_mass;
 
 use super::text::{name_line, text_table, tonnes, wrapped};
 
-/// Variables, masses and frequencies before and after; the limits that keep the tower from being
-/// lighter; what is known of the minimum.
+/// Variables, masses and frequencies before and after; the active limits; the quality of the
+/// minimum.
 pub fn design(name: &str, problem: &DesignProblem, found: &Design) -> String {
     let mut text = name_line(name);
     text.push_str(&values(problem, found));
@@ -118,7 +118,7 @@ fn limits(problem: &DesignProblem, found: &Design) -> String {
     text_table(header, rows, [1])
 }
 
-/// Conditions of the minimum without steps, and the combinations of steps that were searched.
+/// The conditions of the minimum without steps, and the combinations of steps that were tried.
 fn in_steps(steps: &Steps, mass_kg: f64, conditions: &str) -> String {
     let least = steps.without_steps_kg;
     let loss = mass_kg - least;

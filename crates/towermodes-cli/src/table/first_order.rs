@@ -6,8 +6,8 @@ use towermodes_sweep::{FirstOrder, MarginCheck, ModeScatter, NoScatter, Scatter}
 
 use super::text::{align_right, aligned, plain_table, title, wrapped};
 
-/// Mean and deviation of each mode; the share of each input; the probability that a margin is
-/// violated; what the numbers mean.
+/// Mean and standard deviation of each mode; the share of each input; the probability that a margin
+/// is violated; an explanation of the numbers.
 pub fn first_order(
     tower: &Tower,
     found: &FirstOrder,
@@ -115,7 +115,8 @@ fn probabilities(found: &FirstOrder, check: &MarginCheck) -> String {
     table.trim_fmt()
 }
 
-/// A probability in percent. A normal distribution says nothing about very small ones.
+/// A probability in percent. Very small ones are not given, because a normal distribution is not
+/// accurate there.
 fn percent(probability: f64) -> String {
     match 100.0 * probability {
         percent if percent < 1e-4 => "0 %".to_owned(),

@@ -113,7 +113,8 @@ fn force_scale(force: &[f64; 6], of: usize) -> f64 {
     same.iter().fold(0.0, |most, value| most.max(value.abs()))
 }
 
-/// Five digits with an exponent; 0 for what is rounding of the file beside the scale.
+/// Five digits with an exponent; 0 for a value that is a rounding error of the file relative to the
+/// scale.
 fn rounded(value: f64, scale: f64) -> String {
     match value.abs() <= 1e-7 * scale {
         true => "0".to_owned(),

@@ -1,11 +1,11 @@
-//! The numbers of a tower by name as text.
+//! The input values of a tower by name, as text.
 
 use towermodes::number::Plain;
 use towermodes::{Parameter, TowerDescription};
 
 use super::text::{name_line, text_table};
 
-/// A row per number: name, value, unit, meaning.
+/// A row per input value: name, value, unit, meaning.
 pub(crate) fn parameters(description: &TowerDescription, listed: &[Parameter]) -> String {
     let row = |parameter: &Parameter| {
         [

@@ -8,7 +8,8 @@ use towermodes_analysis::influence::{
 
 use super::text::{align_right, aligned, name_line, plain_table, wrapped};
 
-/// A row per number by falling influence: its name, value and tolerance, and a column per mode.
+/// A row per input value by decreasing influence: its name, value and tolerance, and a column per
+/// mode.
 pub(crate) fn sensitivities(
     description: &TowerDescription,
     influences: &Influences,
@@ -77,7 +78,7 @@ fn header(influences: &Influences, has_tolerances: bool) -> Vec<String> {
     header
 }
 
-/// Factors have no value of their own, and additions begin at zero.
+/// The value in the table: factors have none, and additions begin at zero.
 fn value(number: &Influence) -> String {
     match number.operation {
         Operation::Set => Plain(number.value).to_string(),
@@ -117,7 +118,7 @@ fn cell(
     effect.map_or(String::new(), |percent| format!("±{}", percent_of(percent)))
 }
 
-/// The derivative with respect to a number that is zero: "+2.31 % per m".
+/// The derivative with respect to an input value that is zero: "+2.31 % per m".
 fn per_unit(percent: f64, unit: &str) -> String {
     match (percent == 0.0, unit) {
         (true, _) => "0".to_owned(),
@@ -130,7 +131,7 @@ fn sign(value: f64) -> char {
     if value < 0.0 { '-' } else { '+' }
 }
 
-/// An elasticity with its sign and three decimals, which is more than a drawing knows.
+/// An elasticity with its sign and three decimals; inputs are not known more accurately.
 fn elasticity(value: f64) -> String {
     match value.abs() < 5e-5 {
         true => "0".to_owned(),
@@ -145,7 +146,7 @@ fn percent_of(percent: f64) -> String {
     }
 }
 
-/// The last row: all tolerances together.
+/// The last row: the combined effect of all tolerances.
 fn together(
     description: &TowerDescription,
     influences: &Influences,
@@ -189,7 +190,7 @@ fn footer(shown: &[&Influence], hidden: usize, has_tolerances: bool) -> Vec<Stri
     }
     if lacks(NoDerivative::OneSided) {
         sentences.push(
-            "one-sided: the frequency changes differently, or cannot change, in the two directions"
+            "one-sided: the derivatives for an increase and a decrease differ, or one of them does not exist"
                 .to_owned(),
         );
     }

@@ -16,7 +16,7 @@ const NOT_LISTED: &str = "-";
 const CUTS_A_PAIR: &str = "*";
 
 /// A table of frequencies, then masses, method and certificate of each file. Columns that do not
-/// fit into `width` characters follow below in a table of their own.
+/// fit into `width` characters follow below in another table.
 pub(crate) fn several(files: &[SolvedFile<'_>], width: usize) -> String {
     let rows = rows(files);
     let heads: Vec<String> = rows.iter().map(|(_, head)| head.clone()).collect();
@@ -58,7 +58,7 @@ pub(crate) fn several(files: &[SolvedFile<'_>], width: usize) -> String {
     format!("{tables}\n{note}{note_on_pairs}{coupled}{missing}")
 }
 
-/// The modes of a file whose motions others share, if any.
+/// The modes of a file that share their motion with others, if any.
 fn coupled((file, name): (&SolvedFile<'_>, String)) -> String {
     let modes = file.solution.modes.iter();
     let modes = modes.map(|mode| (mode.label(), mode.family, &mode.shares));
@@ -71,7 +71,7 @@ fn missing((file, name): (&SolvedFile<'_>, String)) -> Option<String> {
     Some(format!("\n{}\n", wrapped(&format!("{name}: {missing}"))))
 }
 
-/// The footnotes below the frequencies.
+/// The rows below the frequencies.
 const ABOUT: [&str; 7] = [
     "",
     "tower mass, t",
@@ -135,8 +135,8 @@ fn about(file: &SolvedFile<'_>) -> [String; 7] {
     ]
 }
 
-/// The end of the complete list: if the list ends inside a pair of equal frequencies, one more mode
-/// is below.
+/// The end of the complete list: if the list ends within a pair of equal frequencies, one more mode
+/// is below this frequency.
 fn complete_below(solution: &Solution) -> String {
     let below_hz = four_digits(solution.certificate.below_hz);
     match solution.certificate.count > solution.modes.len() {
@@ -164,7 +164,7 @@ fn short_names(files: &[SolvedFile<'_>]) -> Vec<String> {
     names.iter().map(|name| printable(name)).collect()
 }
 
-/// The columns in groups that fit into the width beside the first column.
+/// The columns in groups that fit into the width together with the first column.
 fn blocks<'a>(
     first: &[String],
     columns: &'a [Vec<String>],

@@ -49,7 +49,7 @@ pub fn soil_band(band: &SoilBand) -> String {
     text
 }
 
-/// "0.2410 Hz -1.8 % WARN"; "-" where there is no such mode.
+/// "0.2410 Hz -1.8 % WARN"; "-" if there is no such mode.
 fn cell(band: &SoilBand, mode: &BandMode, place: usize) -> String {
     let Some(at) = &mode.at[place] else {
         return "-".to_owned();

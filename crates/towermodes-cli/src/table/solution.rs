@@ -52,7 +52,7 @@ fn names_other_motions(mode: &Mode) -> bool {
     mode_shape(mode) != mode.label()
 }
 
-/// The structure that the mass of the tower belongs to.
+/// The name of the structure whose mass is given.
 fn structure(tower: &Tower) -> &'static str {
     let is_surrounded = |piece: &Piece| piece.environment != Environment::default();
     let has_substructure = tower.pieces().iter().any(is_surrounded);
@@ -95,7 +95,7 @@ fn period(mode: &Mode) -> String {
     }
 }
 
-/// The mass of the members of a substructure.
+/// The mass of the members of a substructure, as text.
 fn below(tower: &Tower) -> String {
     let members_kg = tower.frame().map(|below| below.frame.masses().members_kg);
     let text = members_kg.map(|kg| format!(", substructure {}", tonnes(kg)));

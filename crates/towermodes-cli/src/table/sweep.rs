@@ -1,4 +1,4 @@
-//! A sweep in numbers as text: statistics, violated margins, failures.
+//! Statistics of a sweep as text: frequencies, violated margins, failures.
 
 use towermodes::number::{Rounded, digits};
 use towermodes::{Tower, printable};
@@ -7,7 +7,7 @@ use towermodes_sweep::{MarginCheck, MarginSummary, ModeSummary, QUANTILES, Stati
 
 use super::text::{align_right, plain_table, title, wrapped};
 
-/// The failures that are listed.
+/// Largest number of failures that are listed.
 const MOST_FAILURES: usize = 10;
 
 /// Statistics of the mass and of each frequency; the share of the rows in which a margin is
@@ -93,8 +93,8 @@ fn margins(summary: &Summary, check: &MarginCheck) -> String {
     table.trim_fmt()
 }
 
-/// What the errors of the frequencies can change a share by, of the share with the most, if that is
-/// more than a thousandth of the rows.
+/// The largest effect of the frequency errors on a share of violated rows, if it is more than a
+/// thousandth of the rows.
 fn spread(summary: &Summary) -> Option<String> {
     let modes = summary.modes.iter();
     let all = modes.flat_map(|mode| mode.margins.iter().map(move |margin| (mode, margin)));

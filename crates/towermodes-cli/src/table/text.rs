@@ -1,4 +1,4 @@
-//! Numbers and names in tables.
+//! Formats of numbers and names in tables.
 
 use comfy_table::{CellAlignment, Table, presets};
 use towermodes::{Tower, printable};

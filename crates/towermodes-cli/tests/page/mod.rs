@@ -391,7 +391,7 @@ fn every_picture_has_words_and_numbers() {
         "pictures without title or description"
     );
     let without_numbers = page.value(
-        "[...document.querySelectorAll('figure')].filter(figure => figure.querySelector('svg[role=img]') && !document.querySelector(`${figure.querySelector('figcaption a')?.getAttribute('href') ?? '#none'} table tbody tr`) && !(figure.textContent.includes('Its numbers are in the tables of this section.') && figure.parentElement.querySelector('table tbody tr'))).length",
+        "[...document.querySelectorAll('figure')].filter(figure => figure.querySelector('svg[role=img]') && !document.querySelector(`${figure.querySelector('figcaption a')?.getAttribute('href') ?? '#none'} table tbody tr`) && !(figure.textContent.includes('The tables of this section contain its data.') && figure.parentElement.querySelector('table tbody tr'))).length",
     );
     assert_eq!(without_numbers, Value::from(0), "pictures without a table");
     let nameless = page.value(

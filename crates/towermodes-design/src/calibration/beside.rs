@@ -1,26 +1,29 @@
-//! A start beside one at which frequencies do not change with an unknown to first order.
+//! Start values next to a stationary start, at which the frequencies do not change with an unknown
+//! to first order.
 //!
-//! A tower that is symmetric about a plane has a stationary frequency there: with the center of
-//! mass of the RNA at y = 0 the derivative with respect to y is 0, although y moves the frequency.
-//! Such a start is a stationary point of the sum of squares, and often its largest value nearby.
+//! A tower that is symmetric about a plane has a stationary frequency: if the centre of mass of the
+//! RNA is at y = 0, the derivative with respect to y is 0, although a larger change of y changes
+//! the frequency. Such a start is a stationary point of the sum of squares, and often a local
+//! maximum.
 
 use super::determined::NO_EFFECT;
 use super::error::CalibrationError;
 use super::fit::{Found, fit};
 use super::point::{Point, Towers};
 
-/// The step beside the start, relative to what is known of the size of the unknown: the standard
-/// deviation of its prior, or the width of its bounds, or its value; of a logarithm relative to 1.
+/// The step away from the start, relative to the known size of the unknown: the standard deviation
+/// of its prior, otherwise the width of its bounds, otherwise its value; for a logarithm relative
+/// to 1.
 const STEP: f64 = 0.25;
-/// A step that gives no possible tower is halved so often.
+/// A step that gives no possible tower is halved at most this many times.
 const MOST_HALVINGS: usize = 10;
 /// Relative changes of a frequency below this are rounding.
 const ROUNDING: f64 = 1e-9;
-/// A fit that ends this near to the start, relative to the step, has come back to it.
+/// A fit that ends nearer to the start than this, relative to the step, has returned to the start.
 const BACK: f64 = 0.01;
 
-/// The best fit from the start and, if the start is stationary in some unknowns, from one beside
-/// it. The unknowns go up, if their bounds allow it.
+/// The best fit from the start and, if the start is stationary in some unknowns, from a point next
+/// to it. The unknowns are increased, if their bounds allow it.
 pub(super) fn fit_beside(
     towers: &mut Towers<'_>,
     start: &Point,
@@ -65,7 +68,8 @@ fn is_stationary(towers: &Towers<'_>, start: &Point, j: usize) -> bool {
     }
 }
 
-/// The coordinate of an unknown a step beside the start, if that moves a measured frequency.
+/// The coordinate of an unknown one step away from the start, if this step changes a measured
+/// frequency.
 fn moved(towers: &mut Towers<'_>, start: &Point, j: usize) -> Option<f64> {
     let [low, high] = towers.variables[j].bounds;
     let mut step = STEP * towers.variables[j].scale?;

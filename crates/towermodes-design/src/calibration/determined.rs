@@ -7,27 +7,29 @@ use super::variable::Variable;
 /// Columns of unit length with a singular value below this, relative to the largest, are linearly
 /// dependent within the errors of derivatives.
 const UNDETERMINED: f64 = 1e-9;
-/// An unknown that moves the measurements by fewer standard deviations than this when it changes by
-/// its own size has no effect within the errors of derivatives.
+/// An unknown has no effect within the errors of derivatives if a change by its own size changes
+/// the measurements by fewer standard deviations than this.
 pub(super) const NO_EFFECT: f64 = 1e-6;
 
 /// The free unknowns that neither measurements nor priors determine.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Undetermined {
-    /// Nothing moves with these.
+    /// No measured frequency changes with these unknowns.
     NoEffect {
         names: Vec<String>,
-        /// Whether something moves with a larger change of one of them.
+        /// Whether a larger change of one of them changes a measured frequency.
         is_stationary: bool,
     },
-    /// Nothing moves with these to first order, and no size of a larger change is known.
+    /// No measured frequency changes with these unknowns to first order, and the size of a larger
+    /// change is unknown.
     NoSize(Vec<String>),
     /// Their columns are linearly dependent.
     Dependent(Vec<String>),
 }
 
-/// The names of the free unknowns that neither measurements nor priors determine: alone, or because
-/// their columns are linearly dependent. Units do not matter.
+/// The names of the free unknowns that neither measurements nor priors determine: no measured
+/// frequency changes with them, or their columns are linearly dependent. The result does not depend
+/// on units.
 pub(super) fn undetermined(
     point: &Point,
     variables: &[Variable],

@@ -4,13 +4,14 @@ use thiserror::Error;
 use towermodes::number::{Plain, Rounded, digits};
 use towermodes::{ModeName, NoDerivative, SensitivityError, SolveError, TowerError};
 
-/// The least standard deviation, relative to the measured frequency or the mean: far below what
-/// any instrument has, and above the errors of computed frequencies.
+/// The smallest accepted standard deviation, relative to the measured frequency or the mean: far
+/// below the accuracy of any instrument, and above the errors of computed frequencies.
 const LEAST_DEVIATION: f64 = 1e-9;
-/// The largest one, beyond which nothing is known.
+/// The largest accepted standard deviation, relative to the measured frequency or the mean; a value
+/// with a larger one is unknown.
 const MOST_DEVIATION: f64 = 1e6;
 
-/// Whether a standard deviation is in proportion to a number.
+/// Whether the ratio of a standard deviation to a value is within these limits.
 pub(super) fn is_in_proportion(deviation: f64, of: f64) -> bool {
     (LEAST_DEVIATION..=MOST_DEVIATION).contains(&(deviation / of).abs())
 }
@@ -19,7 +20,7 @@ pub(super) fn is_in_proportion(deviation: f64, of: f64) -> bool {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CalibrationError {
-    /// Nothing is to be found.
+    /// No input values are to be fitted.
     #[error("no unknowns are given; name at least one input value of the tower")]
     NoUnknowns,
     /// Too few measurements for the unknowns.
@@ -42,12 +43,12 @@ pub enum CalibrationError {
     NotPositive {
         /// The measurement, from 0.
         index: usize,
-        /// The name of its wrong value.
+        /// The name of the wrong value.
         what: &'static str,
-        /// The number.
+        /// The wrong value.
         value: f64,
     },
-    /// A standard deviation that no measurement has.
+    /// A standard deviation outside the accepted range relative to the frequency.
     #[error(
         "the standard deviation of measurement {} is {} Hz, {} times its frequency of {} Hz; it must be between {LEAST_DEVIATION:e} and {MOST_DEVIATION:e} times the frequency",
         .index + 1, Plain(*.deviation_hz), times(*.deviation_hz, *.frequency_hz), Plain(*.frequency_hz)
@@ -97,14 +98,14 @@ pub enum CalibrationError {
         /// The height of the tower top, m.
         top_m: f64,
     },
-    /// Bounds that do not rise.
+    /// A lower bound that is not below the upper bound.
     #[error("the bounds of `{change}` are {} and {}; the lower must be below the upper", Plain(*.low), Plain(*.high))]
     Bounds {
         /// The unknown.
         change: String,
-        /// The lower.
+        /// The lower bound.
         low: f64,
-        /// The upper.
+        /// The upper bound.
         high: f64,
     },
     /// A prior without a positive deviation.
@@ -131,7 +132,7 @@ pub enum CalibrationError {
         /// The mean.
         mean: f64,
     },
-    /// A prior whose deviation is out of proportion to its mean.
+    /// A prior whose standard deviation is outside the accepted range relative to its mean.
     #[error(
         "the prior of `{change}` has a standard deviation of {}, {} times its mean {}; it must be between {LEAST_DEVIATION:e} and {MOST_DEVIATION:e} times the mean",
         Plain(*.deviation), times(*.deviation, *.mean), Plain(*.mean)
@@ -144,7 +145,7 @@ pub enum CalibrationError {
         /// The deviation.
         deviation: f64,
     },
-    /// Bounds of a positive number that contain none.
+    /// Bounds of a positive input value that contain no positive value.
     #[error("the upper bound of `{change}` is {}, but this input value must be positive", Plain(*.high))]
     BoundsNotPositive {
         /// The unknown.
@@ -152,7 +153,7 @@ pub enum CalibrationError {
         /// The upper bound.
         high: f64,
     },
-    /// A prior whose mean the bounds exclude.
+    /// A prior whose mean is outside the bounds.
     #[error(
         "the prior mean {} of `{change}` is outside the bounds {} and {}",
         Plain(*.mean), Plain(*.low), Plain(*.high)
@@ -167,14 +168,14 @@ pub enum CalibrationError {
         /// The upper bound.
         high: f64,
     },
-    /// A number is in two unknowns.
+    /// Two unknowns change the same input value.
     #[error(
         "`{change}` changes {parameter}, which another unknown already changes; remove one of them"
     )]
     Overlap {
         /// The second unknown.
         change: String,
-        /// The number.
+        /// The name of the input value.
         parameter: String,
     },
     /// An unknown has no finite value to start from.
@@ -196,7 +197,7 @@ pub enum CalibrationError {
     /// The modes for the pairing are not computed.
     #[error(transparent)]
     Solve(#[from] SolveError),
-    /// The tower has no such mode among the lowest.
+    /// The mode is not among the computed lowest modes of the tower.
     #[error(
         "measurement {} is of the mode {mode}, which is not among the {computed} lowest modes of the tower; the lowest are {there}",
         .index + 1
@@ -208,7 +209,7 @@ pub enum CalibrationError {
         mode: ModeName,
         /// Number of computed modes.
         computed: usize,
-        /// The names of the lowest.
+        /// The names of the lowest modes.
         there: String,
     },
     /// A frequency has no derivative with respect to an unknown.
@@ -218,7 +219,7 @@ pub enum CalibrationError {
         mode: ModeName,
         /// The unknown.
         change: String,
-        /// Why.
+        /// The reason.
         reason: NoDerivative,
     },
     /// The measurements and priors do not determine the unknowns.
@@ -245,8 +246,8 @@ pub enum CalibrationError {
         /// All unknowns with their values there.
         values: String,
     },
-    /// Unknowns that are 0, where no measured frequency changes with them to first order, and of
-    /// which nothing says how large they may be.
+    /// Unknowns that are 0, with which no measured frequency changes to first order, and for which
+    /// neither prior nor bounds give a size.
     #[error(
         "no measured frequency changes with {} to first order (at {values}), and nothing says how large {} may be; give {} bounds or a prior",
         .names.join(" and "),
@@ -259,7 +260,7 @@ pub enum CalibrationError {
         /// All unknowns with their values there.
         values: String,
     },
-    /// No values of the unknowns explain a frequency, not even the largest and the smallest.
+    /// No values of the unknowns give a measured frequency, not even the largest and the smallest.
     #[error(
         "no value of the fitted inputs gives the measured frequency of {mode}, {} Hz; the nearest frequency is {} Hz with {values}; check the measurement and its mode, or fit other inputs",
         Plain(*.measured_hz), Rounded(*.nearest_hz)
@@ -276,7 +277,7 @@ pub enum CalibrationError {
         /// The unknowns with their values there.
         values: String,
     },
-    /// Every unknown that could bring a frequency nearer is at a bound.
+    /// Every unknown that could bring a frequency nearer to its measured value is at a bound.
     #[error(
         "no values within the bounds give the measured frequency of {mode}, {} Hz; the nearest frequency is {} Hz, limited by {bounds}; widen the bounds, check the measurement and its mode, or fit other inputs",
         Plain(*.measured_hz), Rounded(*.nearest_hz)
@@ -293,10 +294,10 @@ pub enum CalibrationError {
         /// The bounds in words.
         bounds: String,
     },
-    /// The fit ends where a measured name passes to another mode: its frequency jumps there, and
-    /// no tower has the frequencies between.
+    /// The fit ends where a measured mode and another one exchange their names: the frequency with
+    /// this name jumps there, and no tower has the frequencies between.
     #[error(
-        "{mode} cannot be fitted to {} Hz: with {values} {mode} and {other} share two modes and exchange their names, and the frequency of {mode} jumps between {} Hz and {} Hz; if {} Hz is the frequency of the other mode of the two, name {other}, or give the measured shape in place of a name",
+        "{mode} cannot be fitted to {} Hz: with {values} {mode} and {other} are coupled in two modes, which exchange their names, and the frequency of {mode} jumps between {} Hz and {} Hz; if {} Hz is the frequency of the other mode of the two, name {other}, or give the measured shape in place of a name",
         Plain(*.measured_hz), Rounded(.jump_hz[0]), Rounded(.jump_hz[1]), Plain(*.measured_hz)
     )]
     Exchanged {
@@ -304,16 +305,17 @@ pub enum CalibrationError {
         index: usize,
         /// Its mode.
         mode: ModeName,
-        /// The mode with which it exchanges the name.
+        /// The mode with which it exchanges its name.
         other: ModeName,
         /// Its frequency, Hz.
         measured_hz: f64,
-        /// The frequency of the mode where the fit ends, and that beyond the exchange, Hz.
+        /// The frequency of the mode where the fit ends, and its frequency after the exchange of
+        /// names, Hz.
         jump_hz: [f64; 2],
         /// The unknowns with their values there.
         values: String,
     },
-    /// The iteration did not end.
+    /// The iteration has not converged.
     #[error(
         "the fit has not converged in {iterations} iterations; its last values are {values}; give bounds, or priors near the expected values"
     )]
@@ -326,7 +328,8 @@ pub enum CalibrationError {
 }
 
 impl CalibrationError {
-    /// The measurement that is wrong, from 0; none if the error is not that of one measurement.
+    /// The measurement that the error is about, from 0; none if the error is not about one
+    /// measurement.
     pub fn measurement(&self) -> Option<usize> {
         match self {
             Self::NotPositive { index, .. }
@@ -342,7 +345,7 @@ impl CalibrationError {
         }
     }
 
-    /// The name of the unknown that is wrong; none if the error is not that of one unknown.
+    /// The name of the unknown that the error is about; none if the error is not about one unknown.
     pub fn unknown(&self) -> Option<&str> {
         match self {
             Self::Bounds { change, .. }
@@ -379,7 +382,7 @@ impl CalibrationError {
     }
 }
 
-/// How many times the size of one number another is, with two digits.
+/// The ratio of the absolute values of two numbers, with two digits.
 fn times(number: f64, of: f64) -> String {
     let ratio = (number / of).abs();
     match ratio {

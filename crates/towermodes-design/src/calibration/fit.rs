@@ -9,22 +9,23 @@ use super::point::{LARGE_RESIDUAL, Point, Towers};
 use super::singular::Singular;
 use super::variable::Variable;
 
-/// Iterations at most.
+/// Largest number of iterations.
 const MOST_ITERATIONS: usize = 200;
-/// The iteration ends when a step is expected to lower the sum of squares by less than this.
+/// The iteration ends when the expected decrease of the sum of squares by a step is smaller than
+/// this.
 ///
 /// Its root is the length of the step in standard deviations.
 const SMALL_GAIN: f64 = 1e-10;
 /// The first damping, relative to the largest singular value squared.
 const FIRST_DAMPING: f64 = 1e-3;
-/// Below this damping a step is that of Gauss and Newton to rounding.
+/// With a damping below this, a step is equal to a Gauss–Newton step up to rounding.
 const LEAST_DAMPING: f64 = 1e-15;
 /// Above this damping no step improves anything.
 const MOST_DAMPING: f64 = 1e14;
-/// The sum of squares of an answer falls by less than this along the undamped step, relative to
-/// itself and 1.
+/// At a solution the undamped step decreases the sum of squares by less than this, relative to
+/// 1 + the sum of squares.
 const STATIONARY: f64 = 1e-6;
-/// A residual that changes by more than this in the last step that was refused jumps.
+/// A residual has a jump if it changes by more than this in the last rejected step.
 const JUMP: f64 = 1e-3;
 /// No logarithm moves by more than this in one step.
 const LONGEST_STEP: f64 = 1.5;
@@ -35,7 +36,8 @@ pub(super) struct Found {
     pub(super) point: Point,
     /// For each unknown, whether it is not at a bound.
     pub(super) is_free: Vec<bool>,
-    /// Whether some measured frequency changes with each unknown, if not to first order.
+    /// Whether at least one measured frequency changes with each unknown, possibly only to second
+    /// order.
     pub(super) has_effect: Vec<bool>,
     pub(super) iterations: usize,
 }
@@ -93,8 +95,9 @@ impl Towers<'_> {
         }
     }
 
-    /// Refuses a fit in which every unknown is at a bound, and given bounds keep a frequency from
-    /// its measurement: nothing was fitted. That a mass is not negative is no given bound.
+    /// Refuses a fit in which every unknown is at a bound and bounds of the problem keep a
+    /// frequency away from its measurement: nothing was fitted. The condition that a mass is not
+    /// negative is not such a bound.
     fn check_bounds(
         &self,
         point: &Point,
@@ -121,9 +124,9 @@ impl Towers<'_> {
         })
     }
 
-    /// Refuses a point that is no minimum: the sum of squares would fall further on, but a measured
-    /// name passes to another mode there, and its frequency jumps. `rejected` is the last point
-    /// beyond.
+    /// Refuses a point that is no minimum: the sum of squares would decrease further, but two modes
+    /// exchange their names there, and the frequency with a measured name jumps. `rejected` is the
+    /// last rejected point, beyond the exchange.
     fn check_jump(&self, point: &Point, rejected: Option<&Point>) -> Result<(), CalibrationError> {
         let Some(beyond) = rejected else {
             return Ok(());
@@ -213,7 +216,7 @@ pub(super) fn fit(towers: &mut Towers<'_>, start: &[f64]) -> Result<Found, Calib
     })
 }
 
-/// The next point, and by how much the linearized sum of squares falls on the way to it.
+/// The next point, and the decrease of the linearized sum of squares by this step.
 fn step(
     point: &Point,
     (variables, units): (&[Variable], &[f64]),

@@ -1,17 +1,17 @@
-//! Numbers of a tower that explain measured frequencies.
+//! Input values of a tower fitted to measured frequencies.
 //!
-//! Weighted least squares: the sum of ((f − measured)/σ)² over all measurements and of
-//! ((x − mean)/σ)² over all priors is minimized by the method of Levenberg (1944) and Marquardt
-//! (1963), with the exact derivatives of [`towermodes::Solver::sensitivities`]. Positive numbers
-//! are fitted by their logarithm. Standard deviations and correlations are those of the linearized
+//! Weighted least squares: the sum of ((f − measured)/σ)² over all measurements and of ((x −
+//! mean)/σ)² over all priors is minimized by the method of Levenberg (1944) and Marquardt (1963),
+//! with the exact derivatives of [`towermodes::Solver::sensitivities`]. For positive input values
+//! the logarithm is fitted. Standard deviations and correlations are those of the linearized
 //! problem (Tarantola 2005, ch. 3).
 //!
-//! A fit explains measurements; it does not validate the model with them.
+//! A good fit does not show that the model is valid.
 //!
-//! `problem` is what is asked, `variable` the unknowns as coordinates, `pairing` which mode a
-//! measurement is of, `fit` the iteration, `beside` its start where the derivatives vanish,
-//! `singular` its linear algebra, `determined` whether the unknowns are determined, `result` what
-//! comes out, `remark` what the result says, `words` in which words.
+//! `problem` contains the problem, `variable` the unknowns as coordinates, `pairing` the assignment
+//! of measurements to modes, `fit` the iteration, `beside` its start where the derivatives vanish,
+//! `singular` its linear algebra, `determined` the check whether the unknowns are determined,
+//! `result` the result, `remark` the remarks on the result, `words` their texts.
 
 mod beside;
 mod determined;
@@ -39,14 +39,14 @@ use towermodes::Solver;
 /// tower.
 const MOST_PAIRINGS: usize = 4;
 
-/// Fits numbers of a tower to measured frequencies.
+/// Fits input values of a tower to measured frequencies.
 ///
-/// [`towermodes::Options::modes`] is the number of modes at first; more are computed where a
+/// [`towermodes::Options::modes`] is the initial number of modes; more modes are computed if a
 /// measurement needs them.
 ///
 /// # Errors
-/// [`CalibrationError`]: the problem contradicts itself or is not determined, a tower on the way is
-/// not solved, or a measured mode does not exist.
+/// [`CalibrationError`]: the problem is contradictory or not determined, a tower of the iteration
+/// cannot be solved, or a measured mode does not exist.
 ///
 /// # Example
 /// The rocking stiffness that explains a first frequency of 0.28094 ± 0.002 Hz:

@@ -7,12 +7,13 @@ use towermodes_analysis::mac;
 use super::error::CalibrationError;
 use super::problem::{Measured, MeasuredShape, Problem};
 
-/// Modes computed at most.
+/// Largest number of computed modes.
 pub(super) const MOST_MODES: usize = 60;
-/// Among modes with a MAC above this fraction of the best, the frequency decides.
+/// Among the modes whose MAC is above this fraction of the highest MAC, the mode with the nearest
+/// frequency is selected.
 const NEAR_MAC: f64 = 0.8;
-/// A mode whose distance from the measured frequency is at most this many standard deviations
-/// larger than that of the nearest could as well be the measured one.
+/// The assignment is ambiguous if the distance of another mode from the measured frequency is
+/// larger than that of the nearest mode by at most this many standard deviations.
 const NEAR_DEVIATIONS: f64 = 2.0;
 
 /// The mode of each measurement.
@@ -26,9 +27,9 @@ pub(super) struct Pairing {
     pub(super) is_stable: bool,
     /// Whether the certificate of the tower proves that no mode is missing.
     pub(super) is_certified: bool,
-    /// The share of the family of each name in the energy of its mode.
+    /// For each name, the share of its type of motion in the energy of the mode.
     pub(super) shares: Vec<f64>,
-    /// The names whose motions several modes share.
+    /// The names whose type of motion is shared by several modes.
     pub(super) shared: Vec<SharedMotion>,
 }
 
@@ -37,24 +38,24 @@ pub(super) struct Pairing {
 pub enum Ambiguity {
     /// The frequencies of the two modes differ too little for the measurement.
     Frequency {
-        /// The mode that was not taken.
+        /// The mode that was not selected.
         other: ModeName,
         /// The distance of its frequency from the measured one, Hz.
         distance_hz: f64,
     },
     /// The shapes of the two modes are too similar.
     Shape {
-        /// The mode that was not taken.
+        /// The mode that was not selected.
         other: ModeName,
-        /// The MAC of the mode that was taken.
+        /// The MAC of the selected mode.
         mac: f64,
-        /// The MAC of the other one.
+        /// The MAC of the other mode.
         other_mac: f64,
     },
 }
 
 impl Ambiguity {
-    /// The mode that was not taken.
+    /// The mode that was not selected.
     pub fn other(&self) -> ModeName {
         match self {
             Self::Frequency { other, .. } | Self::Shape { other, .. } => *other,
@@ -62,7 +63,8 @@ impl Ambiguity {
     }
 }
 
-/// Pairs each measurement with a mode of a tower: by name, else by shape, else by frequency.
+/// Assigns each measurement to a mode of a tower: by name, otherwise by shape, otherwise by
+/// frequency.
 pub(super) fn pair(
     problem: &Problem,
     description: &TowerDescription,
@@ -113,7 +115,7 @@ fn check_sensors(problem: &Problem, tower: &Tower) -> Result<(), CalibrationErro
     Ok(())
 }
 
-/// The heights of all sensors, rising.
+/// The heights of all sensors, in increasing order.
 fn heights(problem: &Problem) -> Vec<f64> {
     let shapes = problem.measured.iter().filter_map(|one| one.shape.as_ref());
     let mut heights: Vec<f64> = shapes.flat_map(|shape| shape.heights_m.clone()).collect();
@@ -189,7 +191,8 @@ fn pairing(problem: &Problem, modes: &[Mode]) -> Pairing {
     }
 }
 
-/// The mode with the highest MAC; of several with nearly the highest, the nearest in frequency.
+/// The mode with the highest MAC; if several have nearly the highest MAC, the one with the nearest
+/// frequency.
 fn by_shape(
     shape: &MeasuredShape,
     given: &Measured,

@@ -1,4 +1,5 @@
-//! The tower at one point of a fit: its frequencies beside those measured, and their derivatives.
+//! The tower at one point of a fit: the computed frequencies of the measured modes, and their
+//! derivatives.
 
 use std::fmt;
 
@@ -15,12 +16,12 @@ use super::variable::{Variable, apply};
 /// A residual above this is unlikely.
 pub(super) const LARGE_RESIDUAL: f64 = 3.0;
 
-/// The bound that a number has reached.
+/// The bound that an unknown has reached.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AtBound {
-    /// The lower one.
+    /// The lower bound.
     Lower,
-    /// The upper one.
+    /// The upper bound.
     Upper,
 }
 
@@ -38,14 +39,15 @@ pub(super) struct Towers<'a> {
     pub(super) problem: &'a Problem,
     pub(super) variables: &'a [Variable],
     pub(super) names: &'a [ModeName],
-    /// Whether some measured frequency changes with each unknown, if not to first order.
+    /// Whether at least one measured frequency changes with each unknown, possibly only to second
+    /// order.
     pub(super) has_effect: Vec<bool>,
     pub(super) options: Options,
     solver: &'a mut Solver,
     description: TowerDescription,
 }
 
-/// One tower: the measured modes' frequencies and their derivatives.
+/// One tower: the frequencies of the measured modes and their derivatives.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Point {
     pub(super) x: Vec<f64>,
@@ -168,7 +170,7 @@ impl Point {
         self.residuals.iter().map(|r| r * r).sum()
     }
 
-    /// The columns of some unknowns, each for one unit of its coordinate.
+    /// The columns of some unknowns, each multiplied by the unit of its coordinate.
     pub(super) fn scaled(&self, units: &[f64], is_free: &[bool]) -> Vec<Vec<f64>> {
         let all = self.columns.iter().zip(units).zip(is_free);
         let free = all.filter(|(_, is_free)| **is_free);
@@ -181,8 +183,8 @@ impl Point {
         self.columns.iter().map(|column| norm(column)).collect()
     }
 
-    /// The unit of each coordinate: its scale. A coordinate without one has the unit with which the
-    /// measurements change as much as with the unit of the others.
+    /// The unit of each coordinate: its scale. A coordinate without a scale gets the unit for which
+    /// its column is as long as the columns of the others.
     pub(super) fn units(&self, variables: &[Variable]) -> Vec<f64> {
         let all = variables.iter().zip(self.lengths());
         let of_scales = all
@@ -197,7 +199,7 @@ impl Point {
         all.map(unit).collect()
     }
 
-    /// The unknowns at bounds beyond which a frequency would be nearer to its measurement.
+    /// The unknowns at bounds that prevent this frequency from being nearer to its measurement.
     pub(super) fn held_by(&self, variables: &[Variable], index: usize) -> Vec<(usize, AtBound)> {
         let all = variables.iter().zip(&self.x).zip(&self.columns).enumerate();
         let held = all.filter_map(|(j, ((variable, x), column))| {
@@ -212,7 +214,7 @@ impl Point {
         held.collect()
     }
 
-    /// The unknowns that are not at a bound towards which the sum of squares falls.
+    /// The unknowns, without those at a bound beyond which the sum of squares would decrease.
     pub(super) fn free(&self, variables: &[Variable]) -> Vec<bool> {
         let of = |j: usize| {
             let column = self.columns[j].iter().zip(&self.residuals);

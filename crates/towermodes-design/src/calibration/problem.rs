@@ -6,12 +6,12 @@ use towermodes::{Change, ModeName, TowerDescription};
 
 use super::error::{CalibrationError, is_in_proportion};
 
-/// A tower, what was measured on it, and the numbers that are to explain it.
+/// A tower, its measured frequencies, and the input values to be fitted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
-    /// The tower; its numbers are the start of the iteration.
+    /// The tower; its input values are the start of the iteration.
     pub base: TowerDescription,
-    /// The unknowns. No number may be in two of them.
+    /// The unknowns. No input value may belong to two of them.
     pub unknowns: Vec<Unknown>,
     /// The measurements.
     pub measured: Vec<Measured>,
@@ -28,8 +28,8 @@ pub struct Unknown {
     pub bounds: Option<[f64; 2]>,
 }
 
-/// A value that is known with a standard deviation. That of a positive number has a lognormal
-/// distribution with this mean and deviation, that of any other a normal one.
+/// A value that is known with a standard deviation. A positive input value has a lognormal
+/// distribution with this mean and standard deviation, any other a normal distribution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Prior {
     /// Mean.
@@ -61,7 +61,7 @@ pub struct MeasuredShape {
 }
 
 impl Unknown {
-    /// An unknown of which nothing is known.
+    /// An unknown without prior and bounds.
     pub fn new(change: Change) -> Self {
         Self {
             change,
@@ -84,7 +84,7 @@ impl Measured {
 }
 
 impl Problem {
-    /// Checks its numbers.
+    /// Checks the values of the problem.
     ///
     /// # Errors
     /// [`CalibrationError`] with the first contradiction.

@@ -8,17 +8,18 @@ use super::pairing::Ambiguity;
 use super::point::{AtBound, LARGE_RESIDUAL};
 use super::result::{Calibration, Direction, Explained};
 
-/// Of unknowns with a larger correlation only a combination is known.
+/// If the correlation of two unknowns is larger, only a combination of them is known.
 const HIGH_CORRELATION: f64 = 0.95;
-/// A combination that moves the measurements by less than this many standard deviations when the
-/// unknowns change by their own size is not determined by them.
+/// A combination is not determined by the measurements if it changes them by less than this many
+/// standard deviations when each unknown changes by its own size.
 const WEAK: f64 = 1.0;
-/// A part of a combination below this fraction is left out of its sentence.
+/// Components of a combination that are smaller than this are omitted from the sentence.
 const SMALL_PART: f64 = 0.2;
-/// A part that moves the measurements by more than this many standard deviations is never left out.
+/// A component that changes the measurements by more than this many standard deviations is never
+/// omitted.
 const SMALL_EFFECT: f64 = 0.02;
-/// The largest part of a combination in its sentence: a factor of 1.2, for which the change of the
-/// frequencies is nearly linear.
+/// The largest component of a combination in its sentence: a factor of 1.2, for which the change of
+/// the frequencies is nearly linear.
 const LARGEST_MOVE: f64 = 0.18;
 /// The normal deviate that is exceeded with a probability of 1 %.
 const ONE_PERCENT: f64 = 2.326;
@@ -27,25 +28,26 @@ const ONE_PERCENT: f64 = 2.326;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Remark {
-    /// The measurements do not tell several unknowns apart: this change of them, by names and
-    /// relative or absolute amounts, changes the measured frequencies by `deviations` standard
-    /// deviations only.
+    /// The measurements do not distinguish several unknowns: this change of them, by names and
+    /// relative or absolute amounts, changes the measured frequencies by only `deviations` standard
+    /// deviations.
     NotToldApart {
-        /// The unknowns and their change; of positive numbers as a factor, of others in their unit.
+        /// The unknowns and their changes: a factor for positive input values, an addition in their
+        /// unit for others.
         changes: Vec<UnknownChange>,
         /// The change of all measurements together, standard deviations.
         deviations: f64,
     },
     /// Two unknowns are highly correlated.
     Correlated {
-        /// The first.
+        /// The first unknown.
         first: String,
-        /// The second.
+        /// The second unknown.
         second: String,
         /// The correlation.
         correlation: f64,
     },
-    /// A number has reached its bound.
+    /// An unknown has reached its bound.
     Bound {
         /// The unknown.
         name: String,
@@ -54,29 +56,29 @@ pub enum Remark {
         /// Its value.
         value: f64,
     },
-    /// Most of what is known of a number is its prior.
+    /// An unknown is known mainly from its prior.
     FromPrior {
         /// The unknown.
         name: String,
         /// The share of its variance that comes from its prior.
         share: f64,
     },
-    /// Most of the variance of a number comes from the priors of others.
+    /// Most of the variance of an unknown comes from the priors of other unknowns.
     FromOtherPriors {
         /// The unknown.
         name: String,
-        /// The other with the largest share.
+        /// The other unknown whose prior has the largest share.
         other: String,
         /// The share of its variance that comes from priors.
         share: f64,
         /// Whether its own prior is among them.
         has_prior: bool,
     },
-    /// No measured frequency changes with a number to first order at the fitted values.
+    /// No measured frequency changes with an unknown to first order at the fitted values.
     NoEffect {
         /// The unknown.
         name: String,
-        /// Its value, if a larger change of it moves a measured frequency.
+        /// Its value, if a larger change of it changes a measured frequency.
         stationary_at: Option<f64>,
         /// Whether it has a prior.
         has_prior: bool,
@@ -85,25 +87,25 @@ pub enum Remark {
     Pairing {
         /// The measurement, from 0.
         index: usize,
-        /// The mode that was taken.
+        /// The selected mode.
         mode: ModeName,
-        /// The other.
+        /// The other mode.
         ambiguity: Ambiguity,
     },
-    /// Several modes of the fitted tower share the motion of a measured name.
+    /// Several modes of the fitted tower share the type of motion of a measured name.
     Shared(SharedMotion),
     /// The modes of the fitted tower are paired differently.
     UnstablePairing,
     /// The certificate of the fitted tower is incomplete.
     Uncertified,
-    /// A frequency is not explained.
+    /// The fit does not reproduce a frequency.
     LargeResidual {
         /// The mode.
         mode: ModeName,
         /// (fitted − measured)/deviation.
         residual: f64,
     },
-    /// A frequency is not explained, and bounds are in the way.
+    /// The fit does not reproduce a frequency, because unknowns are at their bounds.
     OutsideBounds {
         /// The mode.
         mode: ModeName,
@@ -113,18 +115,18 @@ pub enum Remark {
         fitted_hz: f64,
         /// (fitted − measured)/deviation.
         residual: f64,
-        /// The unknowns at bounds beyond which the frequency would be nearer, and their bounds.
+        /// The unknowns at bounds that prevent a nearer frequency, and these bounds.
         bounds: Vec<(String, AtBound, f64)>,
     },
-    /// All residuals together are larger than their standard deviations allow.
+    /// The sum of all squared residuals is larger than the standard deviations allow.
     PoorFit {
         /// Sum of squares.
         chi_square: f64,
         /// Degrees of freedom.
         degrees_of_freedom: usize,
     },
-    /// There are as many unknowns as measurements: the fit cannot be wrong, and says nothing about
-    /// the model.
+    /// There are as many unknowns as measurements: every fit reproduces the measurements, so it
+    /// does not test the model.
     NoDegreesOfFreedom,
 }
 
@@ -133,7 +135,7 @@ pub enum Remark {
 pub struct UnknownChange {
     /// The unknown.
     pub name: String,
-    /// The factor of a positive number; the addition to any other.
+    /// The factor for a positive input value; the addition for any other.
     pub amount: f64,
     /// Whether it is a factor.
     pub is_factor: bool,
@@ -207,8 +209,8 @@ impl Calibration {
         }
     }
 
-    /// Whether some measured frequency changes with an unknown to first order within the errors of
-    /// derivatives.
+    /// Whether at least one measured frequency changes with an unknown to first order by more than
+    /// the errors of derivatives.
     fn has_effect(&self, j: usize) -> bool {
         let mut alone = vec![0.0; self.unknowns.len()];
         alone[j] = 1.0;
@@ -254,8 +256,8 @@ impl Calibration {
         })
     }
 
-    /// A combination, so short that factors stay near 1 and the linear prediction holds. It leaves
-    /// out only unknowns that are small in it and that the measurements do not feel either.
+    /// A combination, scaled so that factors stay near 1 and the linear prediction holds. Only
+    /// unknowns with small components and small effects on the measurements are omitted.
     fn combination(&self, direction: &Direction) -> Remark {
         let largest = direction
             .parts
@@ -288,8 +290,8 @@ impl Calibration {
         }
     }
 
-    /// By how many standard deviations the measurements change together with these moves, to first
-    /// order: the length of J·moves, with J = U·S·Vᵀ.
+    /// The change of the measurements by these moves, to first order, in standard deviations: the
+    /// length of J·moves, with J = U·S·Vᵀ.
     fn effect(&self, moves: &[f64]) -> f64 {
         let along = self.directions.iter().map(|direction| {
             let parts = direction.parts.iter().zip(moves);

@@ -1,4 +1,4 @@
-//! The result of a fit.
+//! The result of a fit and its statistics.
 
 use towermodes::modes::SharedMotion;
 use towermodes::{ModeName, TowerDescription};
@@ -10,7 +10,7 @@ use super::problem::{Prior, Problem};
 use super::singular::Singular;
 use super::variable::Variable;
 
-/// Numbers of a tower fitted to measured frequencies.
+/// Input values of a tower fitted to measured frequencies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Calibration {
     /// The unknowns, in the order of the problem.
@@ -20,26 +20,26 @@ pub struct Calibration {
     /// The measurements, in the order of the problem.
     pub measured: Vec<Explained>,
     /// For each unknown the share of its variance that comes from each measurement, then from each
-    /// prior in the order of the unknowns that have one; the sum is 1. Where a measurement has a
-    /// large share, it decides the unknown. Empty for an unknown at a bound.
+    /// prior in the order of the unknowns that have one; the sum is 1. The measurement with the
+    /// largest share mainly determines the unknown. Empty for an unknown at a bound.
     pub shares: Vec<Vec<f64>>,
-    /// Combinations of the unknowns and their accuracy by the measurements alone, the most accurate
-    /// first.
+    /// Combinations of the unknowns and their accuracy from the measurements alone, the most
+    /// accurate first.
     pub directions: Vec<Direction>,
     /// Sum of the squared residuals of measurements and priors, in standard deviations.
     pub chi_square: f64,
-    /// Measurements and priors less the unknowns that are not at a bound.
+    /// Number of measurements and priors minus the number of unknowns that are not at a bound.
     pub degrees_of_freedom: usize,
     /// Number of iterations.
     pub iterations: usize,
-    /// Whether the measurements are paired with the same modes before and after the fit.
+    /// Whether the measurements are assigned to the same modes before and after the fit.
     pub is_pairing_stable: bool,
     /// Whether the certificate of the fitted tower proves that no mode is missing.
     pub is_certified: bool,
-    /// The measured names whose motions several modes of the fitted tower share: which of them has
-    /// the name may change with the smallest change of a number.
+    /// The measured names whose type of motion is shared by several modes of the fitted tower: an
+    /// arbitrarily small change of an input value may give the name to another of them.
     pub shared: Vec<SharedMotion>,
-    /// The tower with the fitted numbers, rounded to eight digits.
+    /// The tower with the fitted input values, rounded to eight digits.
     pub description: TowerDescription,
 }
 
@@ -50,28 +50,29 @@ pub struct Fitted {
     pub name: String,
     /// Its unit; empty for a factor.
     pub unit: &'static str,
-    /// The value on the tower as it was; none if the change has none there.
+    /// The value on the original tower; none if the values that the change sets differ there.
     pub before: Option<f64>,
     /// The fitted value.
     pub value: f64,
     /// Its standard deviation; none at a bound.
     pub deviation: Option<f64>,
-    /// The values one standard deviation below and above; those of a positive number are as many
-    /// times smaller and larger. None at a bound.
+    /// The values one standard deviation below and above; for a positive input value the estimate
+    /// divided and multiplied by the same factor. None at a bound.
     pub interval: Option<[f64; 2]>,
-    /// Whether the number was fitted by its logarithm.
+    /// Whether the logarithm of the input value was fitted.
     pub is_logarithm: bool,
     /// The prior of the value.
     pub prior: Option<Prior>,
     /// The residual of its prior in standard deviations, if it has one.
     pub prior_residual: Option<f64>,
-    /// Whether it is at a bound.
+    /// The bound that the value has reached, if any.
     pub at_bound: Option<AtBound>,
-    /// Whether some measured frequency changes with the number, at the fitted value or beside it.
+    /// Whether at least one measured frequency changes with the input value, at the fitted value or
+    /// next to it.
     pub has_effect: bool,
 }
 
-/// A measurement and what the tower has instead.
+/// A measurement and the frequencies of the tower before and after the fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Explained {
     /// The mode.
@@ -80,35 +81,35 @@ pub struct Explained {
     pub measured_hz: f64,
     /// Its standard deviation, Hz.
     pub deviation_hz: f64,
-    /// The frequency of the tower as it was, Hz.
+    /// The frequency of the original tower, Hz.
     pub before_hz: f64,
     /// Frequency of the fitted tower, Hz.
     pub fitted_hz: f64,
     /// (fitted − measured)/deviation.
     pub residual: f64,
-    /// The bounds beyond which the frequency would be nearer: the unknowns, from 0, and which of
-    /// their bounds.
+    /// The bounds that prevent a nearer frequency: the unknowns, from 0, and which of their bounds.
     pub held_by: Vec<(usize, AtBound)>,
     /// Another mode that may have been measured.
     pub ambiguity: Option<Ambiguity>,
-    /// The share of the family of its name in the energy of the mode of the fitted tower.
+    /// The share of the type of motion that its name states in the energy of the mode of the fitted
+    /// tower.
     pub share: f64,
 }
 
 /// A combination of the unknowns, and how well the measurements alone determine it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Direction {
-    /// The singular value of the weighted Jacobian: by how many standard deviations the
-    /// measurements change together when the unknowns move by [`parts`](Self::parts).
+    /// The singular value of the weighted Jacobian: the change of all measurements together, in
+    /// standard deviations, if the unknowns change by [`parts`](Self::parts).
     pub singular_value: f64,
-    /// The change of each unknown, as a vector of length 1: of the logarithm of positive numbers
-    /// (0.1 is about 10 %), in [`scales`](Self::scales) of others.
+    /// The change of each unknown, as a vector of length 1: for positive input values of the
+    /// logarithm (0.1 is about 10 %), for others in the unit [`scales`](Self::scales).
     pub parts: Vec<f64>,
-    /// The unit of each part in the value: 1 for a logarithm.
+    /// The unit of each part: 1 for a logarithm.
     pub scales: Vec<f64>,
 }
 
-/// The result of a fit.
+/// Computes the statistics of the result from the last point of the iteration.
 pub(super) fn result(
     problem: &Problem,
     variables: &[Variable],
@@ -197,7 +198,7 @@ fn explained(
     (0..problem.measured.len()).map(one).collect()
 }
 
-/// The singular values of the measurements' part of the Jacobian, with priors left out.
+/// The singular values of the rows of the Jacobian that belong to measurements, without priors.
 fn directions(variables: &[Variable], point: &Point, data: usize) -> Vec<Direction> {
     let all = variables.iter().zip(&point.x);
     let scales: Vec<f64> = all
@@ -224,7 +225,7 @@ fn directions(variables: &[Variable], point: &Point, data: usize) -> Vec<Directi
 
 /// Covariance and gains of the unknowns that are not at a bound.
 struct Spread {
-    /// The place of each unknown among the free ones.
+    /// The index of each unknown among the free unknowns.
     place: Vec<Option<usize>>,
     covariance: Vec<Vec<f64>>,
     gains: Vec<Vec<f64>>,

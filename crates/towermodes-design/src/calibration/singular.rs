@@ -11,7 +11,8 @@ pub(super) struct Singular {
     pub(super) right: Vec<Vec<f64>>,
 }
 
-/// Rotations stop when no two columns have a product above this, relative to their lengths.
+/// Rotations stop when the scalar product of any two columns, relative to their lengths, is at most
+/// this.
 const ORTHOGONAL: f64 = 1e-15;
 /// More sweeps are never needed: convergence is quadratic.
 const MOST_SWEEPS: usize = 60;
@@ -50,7 +51,8 @@ impl Singular {
         }
     }
 
-    /// The x that minimizes |A x − b|² + damping |x|². Directions without a singular value stay.
+    /// The x that minimizes |A x − b|² + damping |x|². Components along directions with singular
+    /// value zero remain zero.
     pub(super) fn damped_solution(&self, b: &[f64], damping: f64) -> Vec<f64> {
         let mut x = vec![0.0; self.values.len()];
         let all = self.scaled_left.iter().zip(&self.values).zip(&self.right);
@@ -67,7 +69,7 @@ impl Singular {
         x
     }
 
-    /// (AᵀA)⁻¹, for a matrix without a zero among its singular values.
+    /// (AᵀA)⁻¹, for a matrix without a singular value zero.
     pub(super) fn covariance(&self) -> Vec<Vec<f64>> {
         let n = self.values.len();
         let entry = |i: usize, j: usize| {
@@ -79,7 +81,7 @@ impl Singular {
             .collect()
     }
 
-    /// The pseudo-inverse of A, row by row: what each entry of b adds to x.
+    /// The pseudo-inverse of A, row by row: the contribution of each entry of b to x.
     pub(super) fn gains(&self) -> Vec<Vec<f64>> {
         let rows = self.scaled_left.first().map_or(0, Vec::len);
         let entry = |i: usize, row: usize| {

@@ -1,4 +1,5 @@
-//! The unknowns as coordinates: the logarithm of positive numbers, others as they are.
+//! The unknowns as coordinates: the logarithm for positive input values, the value itself for
+//! others.
 
 use towermodes::number::Rounded;
 use towermodes::{Change, Operation, Parameter, TowerDescription};
@@ -14,14 +15,14 @@ pub(super) struct Variable {
     pub(super) is_logarithm: bool,
     /// Start of the iteration.
     pub(super) start: f64,
-    /// The value on the tower as it is; none if the change has none.
+    /// The value on the original tower; none if the values that the change sets differ there.
     pub(super) present: Option<f64>,
     /// Mean and standard deviation of the coordinate.
     pub(super) prior: Option<[f64; 2]>,
     /// The range of the coordinate.
     pub(super) bounds: [f64; 2],
-    /// A change of the coordinate that is large for this number; none for one that is 0 and of
-    /// which nothing is known.
+    /// A change of the coordinate that is large for this input value; none for an input value that
+    /// is 0 and has neither prior nor bounds.
     pub(super) scale: Option<f64>,
 }
 
@@ -50,7 +51,7 @@ pub(super) fn apply(variables: &[Variable], x: &[f64], description: &mut TowerDe
     }
 }
 
-/// As above, with values of eight digits, which a file can contain.
+/// As [`apply`], with values rounded to eight digits, as they are written to a file.
 pub(super) fn apply_rounded(variables: &[Variable], x: &[f64], description: &mut TowerDescription) {
     for (variable, x) in variables.iter().zip(x) {
         let value = variable.value(*x);
@@ -101,8 +102,8 @@ fn variable(unknown: &Unknown, base: &TowerDescription) -> Result<Variable, Cali
     })
 }
 
-/// Refuses what is known of a positive number if it says otherwise. Only a number that is 0 on the
-/// tower may have the mean 0.
+/// Refuses a mean or bounds that contradict a positive input value. Only an input value that is 0
+/// on the tower may have the mean 0.
 fn check_positive(unknown: &Unknown, present: Option<f64>) -> Result<(), CalibrationError> {
     let change = || unknown.change.name().to_owned();
     if let Some([_, high]) = unknown.bounds
@@ -162,7 +163,7 @@ fn no_start(unknown: &Unknown, base: &TowerDescription, present: Option<f64>) ->
     }
 }
 
-/// The value of a change on the tower as it is; none if its numbers differ.
+/// The value of a change on the original tower; none if the values that it sets differ.
 fn present_value(change: &Change, base: &TowerDescription) -> Option<f64> {
     match change.operation() {
         Operation::Scale => Some(1.0),
@@ -175,8 +176,8 @@ fn present_value(change: &Change, base: &TowerDescription) -> Option<f64> {
     }
 }
 
-/// Whether the value of a change is positive by its nature: a factor, a stiffness, a mass, a
-/// thickness; not a height, a distance from the axis or a product of inertia.
+/// Whether the value of a change is always positive: a factor, a stiffness, a mass, a thickness;
+/// not a height, a distance from the axis or a product of inertia.
 fn is_positive(change: &Change, base: &TowerDescription) -> bool {
     let is_amount =
         |parameter: &Parameter| parameter.nature().is_amount() && parameter.value(base) >= 0.0;

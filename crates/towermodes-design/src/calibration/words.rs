@@ -18,7 +18,7 @@ impl fmt::Display for UnknownChange {
     }
 }
 
-/// Four digits, so that what is printed of a stiff number has the effect that is stated.
+/// Four digits, so that the printed value of an unknown with a large effect has the stated effect.
 fn rounded(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
 }
@@ -132,7 +132,7 @@ impl fmt::Display for Remark {
             ),
             Self::LargeResidual { mode, residual } => write!(
                 f,
-                "{mode} is not explained: the fitted frequency differs by {residual:+.1} standard deviations"
+                "{mode} is not reproduced by the fit: the fitted frequency differs by {residual:+.1} standard deviations"
             ),
             Self::OutsideBounds {
                 mode,

@@ -1,4 +1,4 @@
-//! Checks of a problem: contradictions, and goals that cannot be found on its tower.
+//! Checks of a problem: contradictions, and goals that its tower cannot have.
 
 use std::collections::HashMap;
 
@@ -41,7 +41,7 @@ impl Variable {
         }
     }
 
-    /// Whether its values are numbers that are always positive, such as diameters.
+    /// Whether the input values that it changes are always positive, such as diameters.
     fn is_size(&self) -> bool {
         let is_size = |number: &Parameter| number.nature() == Nature::Size;
         self.change.operation() == Operation::Set && self.change.parameters().iter().any(is_size)
@@ -76,7 +76,7 @@ impl DesignProblem {
     }
 
     /// # Errors
-    /// [`DesignError`] for what contradicts itself, whatever the tower.
+    /// [`DesignError`] for a contradiction within the problem, whatever the tower.
     pub fn check(&self) -> Result<(), DesignError> {
         if self.variables.is_empty() {
             return Err(DesignError::NoVariables);
@@ -103,7 +103,7 @@ impl DesignProblem {
         self.check_limits()
     }
 
-    /// No number is changed twice.
+    /// No input value is changed twice.
     fn check_numbers(&self) -> Result<(), DesignError> {
         let mut changed: HashMap<Parameter, &str> = HashMap::new();
         for variable in &self.variables {

@@ -1,4 +1,5 @@
-//! The tower found, solved as any tower: its frequencies, and that it meets all limits.
+//! The tower that was found, solved with the options of `solve`: its frequencies, and whether it
+//! meets all limits.
 
 use towermodes::modes::Holders;
 use towermodes::{
@@ -21,27 +22,27 @@ pub struct Reached {
     pub after_hz: f64,
     /// The error of its discretization and computation, without extrapolation, Hz.
     pub error_hz: f64,
-    /// The share of the family of its name in the energy of the mode.
+    /// The share of the type of motion that its name states in the energy of the mode.
     pub share: f64,
-    /// The other modes that hold the name, by rising frequency, if the mode that has it is coupled:
-    /// the band is theirs too.
+    /// The other modes that share the motion of the named mode, by increasing frequency, if the
+    /// named mode is coupled: the band applies to them too.
     pub others: Vec<OtherHolder>,
 }
 
-/// A mode that holds the name of a goal beside the one that has it.
+/// A mode that shares the motion of the mode of a goal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OtherHolder {
-    /// Its own name.
+    /// The name of this mode.
     pub mode: ModeName,
     /// Its extrapolated frequency, Hz.
     pub hz: f64,
-    /// The share of the goal's family in its energy.
+    /// The share of the goal's type of motion in its energy.
     pub share: f64,
 }
 
 impl Reached {
-    /// Whether the frequency of the mode, and of each other one that the band binds, is in the
-    /// band.
+    /// Whether the frequency of the mode, and of each other mode to which the band applies, is in
+    /// the band.
     pub fn is_met(&self) -> bool {
         let others = self.others.iter().map(|other| other.hz);
         let mut all = others.chain([self.after_hz]);
@@ -49,13 +50,13 @@ impl Reached {
     }
 }
 
-/// A tower found, with what a solve says about it.
+/// A tower that was found, with the results of its solution.
 pub(super) struct Confirmed {
     pub(super) values: Vec<f64>,
     pub(super) tower: TowerDescription,
     pub(super) reached: Vec<Reached>,
     pub(super) certificate: Certificate,
-    /// The limits, scaled: positive where they are violated.
+    /// The limits, scaled: positive if they are violated.
     pub(super) limits: Vec<f64>,
 }
 
@@ -66,15 +67,15 @@ impl Confirmed {
     }
 }
 
-/// The original tower, solved as any tower; none if that is not possible.
+/// The solution of the original tower with the options of `solve`; none if it cannot be solved.
 pub(super) fn original(towers: &mut Towers<'_>) -> Option<Solution> {
     let tower = Tower::new(towers.base.clone()).ok()?;
     let options = options(towers);
     towers.solution(&tower, options, |_| true).ok()
 }
 
-/// The options of `solve` for a tower: its default number of segments, if this is finer than that
-/// of the design.
+/// The options of `solve` for a tower: its default number of segments, if this number is larger
+/// than that of the design.
 fn options(towers: &Towers<'_>) -> Options {
     let own = towers.options;
     Options {
@@ -87,7 +88,7 @@ fn options(towers: &Towers<'_>) -> Options {
     }
 }
 
-/// The tower with scaled values, written with few digits and solved.
+/// The tower with scaled values, rounded as they are written, and solved.
 pub(super) fn confirmed(
     towers: &mut Towers<'_>,
     scaled: &[f64],
@@ -120,8 +121,8 @@ pub(super) fn confirmed(
     })
 }
 
-/// The modes of a solution to which a goal applies: the lowest and the highest of their
-/// frequencies; none if one of these modes may be above the list.
+/// The modes of a solution to which a goal applies: those with the lowest and the highest
+/// frequency; none if one of these modes may be above the list.
 fn reached(
     goal: &Goal,
     after: &Solution,
@@ -158,7 +159,8 @@ fn reached(
     Some((reached, [ends().min_by(by_hz)?, ends().max_by(by_hz)?]))
 }
 
-/// The values as they are written: steps, bounds, and other values with eight digits.
+/// The values as they are written: stepped values and bounds exactly, other values with eight
+/// digits.
 fn written(towers: &Towers<'_>, scaled: &[f64]) -> Vec<f64> {
     let values = towers.values(scaled);
     let pairs = towers.problem.variables.iter().zip(values);

@@ -6,23 +6,24 @@ use towermodes::{ModeName, NoDerivative, SensitivityError, SolveError, TowerErro
 
 use super::unmet::Infeasible;
 
-/// Bounds may be this many times as large as the present value: beyond it a unit is mistaken.
+/// Bounds may be this many times as large as the present value; larger bounds indicate a wrong
+/// unit.
 pub(super) const WIDEST: f64 = 1e3;
 
 /// Why there is no design.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DesignError {
-    /// There is nothing to change.
+    /// There are no design variables.
     #[error("the design has no variables")]
     NoVariables,
     /// The design was cancelled.
     #[error("the design was cancelled")]
     GivenUp,
-    /// There is nothing to reach.
+    /// There are no frequency bands.
     #[error("the design has no goal for a frequency")]
     NoGoals,
-    /// Bounds are not finite or cross.
+    /// Bounds that are not finite, or a lower bound above the upper bound.
     #[error("the bounds of `{variable}` are {low} and {high}, but the first must be lower")]
     Bounds {
         /// The name of the variable.
@@ -40,7 +41,7 @@ pub enum DesignError {
         /// The lower bound.
         low: f64,
     },
-    /// A number that is always positive, with a bound that is not.
+    /// An input value that is always positive has a bound that is not positive.
     #[error("the lower bound of `{variable}` is {low}, but this input value must be positive")]
     NotPositive {
         /// The name of the variable.
@@ -48,7 +49,7 @@ pub enum DesignError {
         /// The lower bound.
         low: f64,
     },
-    /// Bounds so far from the present value that the search would find nothing between them.
+    /// Bounds so far from the present value that the search would fail.
     #[error(
         "the bounds of `{variable}` are {} and {}, but its present value is {}: bounds may be up to {WIDEST} times the present value; check the unit (lengths are in m)",
         Plain(*.low), Plain(*.high), Plain(*.present)
@@ -75,14 +76,14 @@ pub enum DesignError {
         /// The upper bound.
         high: f64,
     },
-    /// Two variables change one number.
+    /// Two variables change one input value.
     #[error("`{first}` and `{second}` both change {parameter}; remove one of them")]
     Twice {
-        /// The number.
+        /// The name of the input value.
         parameter: String,
         /// The name of the first variable.
         first: String,
-        /// The name of the second one.
+        /// The name of the second variable.
         second: String,
     },
     /// A band of frequencies is empty.
@@ -95,7 +96,7 @@ pub enum DesignError {
         /// Its highest frequency, Hz.
         max_hz: f64,
     },
-    /// A limit of the shape is not a positive number, or its two numbers cross.
+    /// A limit of the shape is not positive, or its lower value is above its upper value.
     #[error("the limit {what} is {low} to {high}, but must be positive, the first lower")]
     Limit {
         /// Name of the limit.
@@ -105,7 +106,7 @@ pub enum DesignError {
         /// The upper limit.
         high: f64,
     },
-    /// The tower has no mode of this name among its lowest ones.
+    /// The mode is not among the lowest modes of the tower.
     #[error("the tower has no mode {mode} among its {modes} lowest modes")]
     NoMode {
         /// The mode.
@@ -120,7 +121,7 @@ pub enum DesignError {
         mode: ModeName,
         /// The variable.
         variable: String,
-        /// Why.
+        /// The reason.
         reason: NoDerivative,
     },
     /// The derivatives cannot be computed.
@@ -140,19 +141,20 @@ pub enum DesignError {
     /// No tower was found within the bounds that meets the goals.
     #[error("{0}")]
     Infeasible(Box<Infeasible>),
-    /// There is a tower, but none was found in steps.
+    /// A tower that meets all limits exists, but none with stepped values was found.
     #[error(
         "a tower of {:.1} t meets all limits, but no tower with values in steps that meets them was found: use smaller steps or wider bounds",
         kg / 1e3
     )]
     NoCombination {
-        /// Mass of the tower without steps, kg.
+        /// Mass of the tower without stepped values, kg.
         kg: f64,
     },
 }
 
 impl DesignError {
-    /// The name of the variable that is wrong; none if the error is not that of one variable.
+    /// The name of the variable that the error is about; none if the error is not about one
+    /// variable.
     pub fn variable(&self) -> Option<&str> {
         match self {
             Self::Bounds { variable, .. }
@@ -168,7 +170,7 @@ impl DesignError {
         }
     }
 
-    /// The mode whose goal is wrong; none if the error is not that of one goal.
+    /// The mode of the goal that the error is about; none if the error is not about one goal.
     pub fn mode(&self) -> Option<ModeName> {
         match self {
             Self::Band { mode, .. } | Self::NoMode { mode, .. } => Some(*mode),

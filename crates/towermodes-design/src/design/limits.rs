@@ -1,5 +1,5 @@
-//! The limits of a design, in words and those of the shape as linear functions of the numbers of
-//! the tower.
+//! The limits of a design: their texts, and the limits of the shape as linear functions of the
+//! input values of the tower.
 
 use towermodes::{Operation, Parameter, TowerDescription};
 
@@ -8,25 +8,25 @@ use super::problem::{DesignProblem, Side, Variable};
 /// One limit of a design.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Limit {
-    /// A bound of a variable, by its place in the list.
+    /// A bound of a variable, by the index of the variable.
     Bound {
-        /// The variable.
+        /// The index of the variable.
         variable: usize,
         /// The lower or the upper bound.
         side: Side,
     },
-    /// An end of the band of a frequency, by the place of its goal in the list.
+    /// An end of a frequency band, by the index of its goal.
     Frequency {
-        /// The goal.
+        /// The index of the goal.
         goal: usize,
         /// The lower or the upper end.
         side: Side,
     },
-    /// A number must not exceed the one below it.
+    /// An input value must not exceed the one below it.
     Falling {
-        /// The number below.
+        /// The input value below.
         below: Parameter,
-        /// The number above.
+        /// The input value above.
         above: Parameter,
     },
     /// The ratio of diameter to wall thickness at a station.
@@ -43,7 +43,7 @@ pub enum Limit {
     },
 }
 
-/// A limit of the shape: Σ coefficient · number ≤ 0, in units of `scale`.
+/// A limit of the shape: Σ coefficient · input value ≤ 0, in units of `scale`.
 #[derive(Debug, Clone)]
 pub(super) struct Row {
     pub(super) limit: Limit,
@@ -52,7 +52,7 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// Its value on a tower: positive where the limit is violated.
+    /// Its value for a tower: positive if the limit is violated.
     pub(super) fn value(&self, tower: &TowerDescription) -> f64 {
         let terms = self.terms.iter();
         let sum: f64 = terms.map(|(number, of)| of * number.value(tower)).sum();
@@ -73,7 +73,7 @@ impl Row {
         of_terms.sum::<f64>() / self.scale
     }
 
-    /// The limit in its unit, and by how much its value changes per unit by which it is relaxed.
+    /// The limit in its unit, and the change of its value per unit of relaxation.
     pub(super) fn unit(&self, problem: &DesignProblem, tower: &TowerDescription) -> (f64, f64) {
         let (value, raw) = match self.limit {
             Limit::DiameterToWall { station, side } => (
@@ -92,7 +92,7 @@ impl Row {
     }
 }
 
-/// The limits of the shape of a tower. Limits of numbers that no variable changes are left out.
+/// The limits of the shape of a tower, without those whose input values no variable changes.
 pub(super) fn rows(problem: &DesignProblem, base: &TowerDescription) -> Vec<Row> {
     let mut rows: Vec<Row> = Vec::new();
     for &[below, above] in &problem.falling {
@@ -116,7 +116,7 @@ pub(super) fn rows(problem: &DesignProblem, base: &TowerDescription) -> Vec<Row>
     rows
 }
 
-/// The change of a row by the variables: its natural unit.
+/// The largest change of a row by the variables within their bounds: its natural unit.
 fn range(row: &Row, problem: &DesignProblem, base: &TowerDescription) -> f64 {
     let variables = problem.variables.iter();
     let changes = variables.map(|one| row.derivative(one, base).abs() * one.unit(base));

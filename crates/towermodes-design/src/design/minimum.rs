@@ -1,5 +1,5 @@
 //! Local minima by sequential least squares programming (Kraft 1988; the library `slsqp`): of the
-//! mass, or of the violation where a search does not meet all limits.
+//! mass, or of the largest violation if the search meets not all limits.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -11,19 +11,20 @@ use super::limits::Limit;
 use super::optimality::{Least, Optimality, optimality};
 use super::towers::{Point, Towers};
 
-/// A limit that is violated by less, relative to its scale, is met.
+/// A limit counts as met if its violation, relative to its scale, is smaller.
 pub(super) const MET: f64 = 1e-7;
-/// The KKT residual of a minimum.
+/// The largest KKT residual of a minimum.
 pub(super) const OPTIMAL: f64 = 1e-6;
-/// By how much a limit is relaxed for the optimizer. It returns the best point without any
-/// violation, which rounding may make the start; so the best point with twice this room is judged
-/// too.
+/// The relaxation of a limit for the optimizer. The optimizer returns the best point without any
+/// violation, which due to rounding may be the start; therefore the best point with twice this
+/// relaxation is assessed too.
 const ROOM: f64 = 0.1 * MET;
-/// Solves of one run of the optimizer.
+/// Largest number of solves of one run of the optimizer.
 const MOST_SOLVES: usize = 150;
-/// Runs from one start: each begins where the last one ended, with a new estimate of curvature.
+/// Largest number of runs from one start: each begins where the last one ended, with a new estimate
+/// of curvature.
 const MOST_RUNS: usize = 4;
-/// A value that no line search accepts, for a tower that cannot be solved.
+/// A value that every line search rejects, for a tower that cannot be solved.
 const UNSOLVED: f64 = 1e3;
 
 /// A point where the optimizer ended.
@@ -33,7 +34,7 @@ pub(super) struct Minimum {
     pub(super) scaled: Vec<f64>,
     /// Mass relative to the start.
     pub(super) mass: f64,
-    /// The largest limit that may be violated, positive if it is.
+    /// The largest violation of a limit that the search may violate; positive if it is violated.
     pub(super) violation: f64,
     /// The residuals of the conditions of a minimum.
     pub(super) optimality: Optimality,
@@ -45,7 +46,7 @@ impl Minimum {
         self.violation <= MET
     }
 
-    /// Whether it is nearer to a minimum: first by its violation, then by the conditions.
+    /// Whether it is closer to a minimum: compared first by violation, then by optimality.
     fn is_better_than(&self, other: &Self) -> bool {
         let rank = |of: &Self| (of.violation.max(MET), of.optimality.residual);
         rank(self) < rank(other)
@@ -75,7 +76,7 @@ pub(super) fn minimum(
     Ok(found)
 }
 
-/// The least mass from a start near it, with a limited number of solves.
+/// The least mass from a start near the minimum, with a limited number of solves.
 pub(super) fn from_near(
     towers: &mut Towers<'_>,
     start: &[f64],
@@ -171,8 +172,8 @@ fn run_once(
     found.map_or_else(|| judged(towers, start.to_vec(), free, least), Ok)
 }
 
-/// The functions of a run. Their x has the free variables and, where a violation is minimized, that
-/// violation.
+/// The functions of a run. Their x contains the free variables and, if a violation is minimized,
+/// this violation.
 struct Run<'r, 'd> {
     towers: RefCell<&'r mut Towers<'d>>,
     start: &'r [f64],
@@ -221,7 +222,7 @@ impl Run<'_, '_> {
         point.mass
     }
 
-    /// A limit, which must not be positive; less the violation, if that relaxes it.
+    /// A limit, which must not be positive; minus the violation, if the violation relaxes it.
     fn limit(&self, place: usize, x: &[f64], gradient: Option<&mut [f64]>) -> f64 {
         let Some(point) = self.at(x, gradient.is_some()) else {
             self.fill(gradient, None, 0.0);

@@ -1,12 +1,12 @@
 //! A light tower whose frequencies are in given bands.
 //!
-//! Each file uses those before it: `problem`, what is chosen and what is required; `limits`, one
-//! limit each, those of the shape as linear functions; `unmet`, limits that no tower found meets;
-//! `error`; `check`, what contradicts itself; `towers`, mass, limits and all derivatives at values
-//! of the variables; `optimality`, the first-order conditions of a minimum, by `nonnegative` least
-//! squares; `minimum`, a local minimum by the library `slsqp`; `steps`, values in steps; `confirm`,
-//! the tower found solved as any tower; `result`, which puts these together. `window` is the band
-//! between multiples of the rotor speed.
+//! Each file uses those before it: `problem`, the variables and requirements; `limits`, single
+//! limits, those of the shape as linear functions; `unmet`, limits that no tower found meets;
+//! `error`; `check`, contradictions; `towers`, mass, limits and all derivatives at values of the
+//! variables; `optimality`, the first-order conditions of a minimum, by `nonnegative` least
+//! squares; `minimum`, a local minimum by the library `slsqp`; `steps`, stepped values; `confirm`,
+//! the final tower solved with the options of `solve`; `result`, the whole procedure. `window` is
+//! the band between multiples of the rotor speed.
 
 mod check;
 mod confirm;

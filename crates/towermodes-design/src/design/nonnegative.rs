@@ -1,7 +1,8 @@
 //! Nonnegative least squares by active sets (Lawson & Hanson, Solving Least Squares Problems, 1974,
 //! chapter 23), for the few columns of a small problem.
 
-/// A column whose part that is independent of the others is smaller than this depends on them.
+/// A column counts as dependent if its component orthogonal to the other columns, relative to its
+/// length, is smaller than this.
 const DEPENDENT: f64 = 1e-9;
 
 /// The x ≥ 0 that minimizes |Σ xᵢ columnᵢ − target|.
@@ -30,8 +31,8 @@ pub(super) fn nonnegative(columns: &[Vec<f64>], target: &[f64]) -> Vec<f64> {
     x
 }
 
-/// Least squares of the passive columns, of which those leave that would become negative. False if
-/// the last one depends on the others.
+/// Least squares with the passive columns; columns whose coefficient would become negative leave
+/// the passive set. False if the last column depends on the others.
 fn solve_passive(
     columns: &[Vec<f64>],
     target: &[f64],

@@ -1,18 +1,17 @@
 //! The first-order conditions of a minimum (Karush, Kuhn and Tucker).
 //!
-//! At a local minimum the gradient of the mass is a combination −Σ λᵢ ∇gᵢ of those of the active
-//! limits with λᵢ ≥ 0 (Nocedal & Wright, Numerical Optimization, 2006, theorem 12.1). The
-//! multipliers are found from the exact gradients by nonnegative least squares, independently of
-//! the optimizer.
+//! At a local minimum the gradient of the mass is −Σ λᵢ ∇gᵢ with the gradients of the active limits
+//! and λᵢ ≥ 0 (Nocedal & Wright, Numerical Optimization, 2006, theorem 12.1). The multipliers are
+//! found from the exact gradients by nonnegative least squares, independently of the optimizer.
 
 use super::limits::Limit;
 use super::nonnegative::{nonnegative, residual};
 use super::problem::Side;
 use super::towers::{Point, Slopes, Towers};
 
-/// A limit nearer than this, scaled, is active.
+/// A limit is active if its scaled distance is smaller than this.
 const ACTIVE: f64 = 1e-6;
-/// The tolerance for a bound.
+/// The same tolerance for the bound of a variable.
 const ACTIVE_BOUND: f64 = 1e-8;
 
 /// The quantity that is minimized.
@@ -22,12 +21,12 @@ pub(super) enum Least {
     Mass,
     /// The largest violation of a frequency, within the limits of the shape.
     FrequencyViolation,
-    /// The largest violation of a limit of the shape, which decides alone about it.
+    /// The largest violation of a limit of the shape; frequencies are then not considered.
     ShapeViolation,
 }
 
 impl Optimality {
-    /// Nothing is known.
+    /// No multipliers and an infinite residual.
     pub(super) fn none() -> Self {
         Self {
             active: Vec::new(),
@@ -37,7 +36,7 @@ impl Optimality {
 }
 
 impl Least {
-    /// Whether a limit may be violated by as much as is minimized.
+    /// Whether a limit may be violated by the minimized violation.
     pub(super) fn relaxes(self, limit: &Limit) -> bool {
         let is_frequency = matches!(limit, Limit::Frequency { .. });
         match self {
@@ -47,13 +46,13 @@ impl Least {
         }
     }
 
-    /// Whether a limit counts.
+    /// Whether a limit is considered in this minimization.
     pub(super) fn counts(self, limit: &Limit) -> bool {
         self != Self::ShapeViolation || self.relaxes(limit)
     }
 }
 
-/// The multipliers of the active limits, and how well the conditions hold with them.
+/// The multipliers of the active limits, and the residual of the conditions with them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Optimality {
     /// The active limits with their scaled multipliers.
@@ -62,8 +61,8 @@ pub(super) struct Optimality {
     pub(super) residual: f64,
 }
 
-/// The first-order conditions of the least mass or violation, which is given, with respect to the
-/// free variables.
+/// The first-order conditions of the least mass, or of the least violation (`violation`), with
+/// respect to the free variables.
 pub(super) fn optimality(
     towers: &Towers<'_>,
     slopes: &Slopes,

@@ -2,26 +2,26 @@
 
 use towermodes::{Change, ModeName, Operation, Parameter, TowerDescription};
 
-/// The search moves in units of the range, but of at most this many times the present value: wider
-/// bounds would hide the values that matter.
+/// The unit of the search is the range of the variable, but at most this many times the present
+/// value, because with a wider unit the relevant values would be too close together.
 const LARGEST_UNIT: f64 = 10.0;
 
 /// A design variable: one input value, or several that are changed together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
-    /// The change by its value.
+    /// The input values that it changes.
     pub change: Change,
     /// Its lowest value.
     pub low: f64,
     /// Its highest value.
     pub high: f64,
-    /// The distance of allowed values, which are multiples of it: steps of plate thickness.
+    /// The increment of allowed values, which are multiples of it, for example of plate thickness.
     pub step: Option<f64>,
 }
 
-/// The band of a frequency: of the mode with a name and, if that mode is coupled, of every other
-/// mode that holds the name ([`Holders::bound`](towermodes::modes::Holders::bound)), because where
-/// two modes share a motion, a small change of the tower exchanges their names.
+/// The frequency band of the mode with a name. If this mode is coupled, the band also applies to
+/// every other mode that shares its motion ([`Holders::bound`](towermodes::modes::Holders::bound)),
+/// because a small change of the tower exchanges the names of such modes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Goal {
     /// The name of the mode.
@@ -41,7 +41,7 @@ pub enum Side {
     Highest,
 }
 
-/// A light tower within these limits is to be found. The mass is that of
+/// The problem: find a light tower within these limits. The mass is
 /// [`Tower::structure_mass_kg`](towermodes::Tower::structure_mass_kg).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DesignProblem {
@@ -49,8 +49,8 @@ pub struct DesignProblem {
     pub variables: Vec<Variable>,
     /// The bands of frequencies.
     pub goals: Vec<Goal>,
-    /// Pairs of numbers of which the second must not exceed the first, such as the wall thickness
-    /// of a can and of the one above it.
+    /// Pairs of input values of which the second must not exceed the first, for example the wall
+    /// thickness of a can and of the can above it.
     pub falling: Vec<[Parameter; 2]>,
     /// The lowest and highest ratio of outer diameter to wall thickness at every station.
     pub diameter_to_wall: Option<[f64; 2]>,
@@ -64,7 +64,7 @@ impl Goal {
         self.min_hz <= hz && hz <= self.max_hz
     }
 
-    /// One end of its band, Hz; none if there is none.
+    /// One end of its band, Hz; none if the band has no limit there.
     pub fn limit_hz(&self, side: Side) -> Option<f64> {
         match side {
             Side::Lowest => (self.min_hz > 0.0).then_some(self.min_hz),
@@ -74,12 +74,12 @@ impl Goal {
 }
 
 impl Side {
-    /// Both.
+    /// Both ends.
     pub const ALL: [Self; 2] = [Self::Lowest, Self::Highest];
 }
 
 impl Variable {
-    /// Its value on a tower: of a list of different numbers their mean.
+    /// Its value on a tower: the mean, if it sets several input values that differ.
     pub(super) fn present(&self, base: &TowerDescription) -> f64 {
         match self.change.operation() {
             Operation::Scale => 1.0,
@@ -92,7 +92,7 @@ impl Variable {
         }
     }
 
-    /// Whether it sets several numbers that differ on a tower.
+    /// Whether it sets several input values that differ on a tower.
     pub(super) fn has_different(&self, base: &TowerDescription) -> bool {
         let mut values = self.change.parameters().iter().map(|one| one.value(base));
         let first = values.next();
@@ -109,14 +109,14 @@ impl Variable {
 
     /// The lowest and highest multiple of the step within the bounds.
     pub(super) fn multiples(&self, step: f64) -> [f64; 2] {
-        /// A bound that is a multiple up to rounding counts.
+        /// A bound counts as a multiple if it is one up to this rounding error.
         const ROUNDING: f64 = 1e-9;
         let low = (self.low / step - ROUNDING).ceil();
         let high = (self.high / step + ROUNDING).floor();
         [low, high]
     }
 
-    /// The size of its numbers: the largest on a tower, 1 for a factor.
+    /// The size of its input values: the largest on a tower, or 1 for a factor.
     pub(super) fn size(&self, base: &TowerDescription) -> f64 {
         match self.change.operation() {
             Operation::Scale => 1.0,
@@ -148,7 +148,7 @@ impl DesignProblem {
         tower
     }
 
-    /// One end of the range of diameter to wall thickness.
+    /// One end of the allowed range of diameter/wall thickness.
     pub(super) fn ratio(&self, side: Side) -> f64 {
         self.diameter_to_wall.unwrap_or_default()[side as usize]
     }

@@ -30,29 +30,30 @@ pub struct Design {
     pub reached: Vec<Reached>,
     /// The certificate of this solve.
     pub certificate: Certificate,
-    /// The steps, if a variable has some.
+    /// Data of the stepped solution, if a variable has a step.
     pub steps: Option<Steps>,
-    /// The limits that keep the tower from being lighter, those with the largest effect first; of
-    /// the minimum without steps.
+    /// The limits that prevent a lighter tower, those with the largest effect first; for the
+    /// minimum without steps.
     pub active: Vec<ActiveLimit>,
     /// |∇m + Σ λᵢ ∇gᵢ| / |∇m| at the minimum without steps, with each variable relative to its
-    /// range: 0 at an exact one (Karush 1939; Kuhn & Tucker 1951).
+    /// range: 0 at an exact minimum (Karush 1939; Kuhn & Tucker 1951).
     pub kkt_residual: f64,
     /// Number of solved towers.
     pub solves: usize,
 }
 
-/// Results for a tower with steps.
+/// Results for a tower with stepped values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Steps {
     /// The mass of the minimum before its values are rounded to steps, kg.
     pub without_steps_kg: f64,
-    /// Whether no change by one step, and no exchange of two, that the derivatives predict to be
-    /// lighter makes a lighter tower; otherwise the search ended after its number of solves.
+    /// Whether the search is complete: no change by one step and no exchange of two steps that the
+    /// derivatives predict to be lighter gives a lighter tower. Otherwise the search ended at its
+    /// limit of solves.
     pub is_searched: bool,
 }
 
-/// A limit that keeps a tower from being lighter.
+/// A limit that prevents a lighter tower.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ActiveLimit {
     /// The limit.
@@ -65,14 +66,15 @@ pub struct ActiveLimit {
 }
 
 impl Design {
-    /// Whether the first-order conditions of a local minimum hold up to rounding, without steps.
+    /// Whether the first-order conditions of a local minimum are satisfied up to rounding, without
+    /// steps.
     pub fn is_stationary(&self) -> bool {
         self.kkt_residual <= OPTIMAL
     }
 }
 
-/// Finds a light tower within the limits of a design: a local minimum of the mass, from the values
-/// of the original tower on. A lighter tower may exist elsewhere.
+/// Finds a light tower within the limits of a design: a local minimum of the mass, starting from
+/// the original tower. A lighter tower may exist elsewhere.
 ///
 /// # Errors
 /// [`DesignError`]; [`DesignError::Infeasible`] if no tower is found that meets the limits.
@@ -118,7 +120,7 @@ pub fn design(
     design_while(base, problem, solver, &mut || true)
 }
 
-/// As [`design`], but cancelled before the first tower for which `goes_on` returns false.
+/// As [`design`], but cancelled when `goes_on` returns false before a tower is solved.
 ///
 /// # Errors
 /// As [`design`], and [`DesignError::GivenUp`].
@@ -167,8 +169,8 @@ pub fn design_while(
     })
 }
 
-/// Where the optimizer begins: at the present values, otherwise in the middle of the bounds or at
-/// their ends where a tower can be solved. Its mass is the unit of mass.
+/// The start of the optimizer: the present values, otherwise the middle of the bounds or their
+/// ends, if a tower can be solved there. The mass of this tower is the unit of mass.
 fn start(towers: &mut Towers<'_>, present: &[f64]) -> Result<Vec<f64>, DesignError> {
     let part = |part: f64| {
         towers
@@ -193,10 +195,10 @@ fn start(towers: &mut Towers<'_>, present: &[f64]) -> Result<Vec<f64>, DesignErr
     })
 }
 
-/// The lightest tower that is found, without steps.
+/// The lightest tower that is found, without stepped values.
 ///
 /// # Errors
-/// [`DesignError::Infeasible`] where the least violation that is found is none of rounding.
+/// [`DesignError::Infeasible`] if the smallest violation found is larger than rounding errors.
 fn lightest(towers: &mut Towers<'_>, start: &[f64], all: &[usize]) -> Result<Minimum, DesignError> {
     let found = minimum(towers, start, all, Least::Mass)?;
     if found.is_feasible() {
@@ -213,22 +215,23 @@ fn lightest(towers: &mut Towers<'_>, start: &[f64], all: &[usize]) -> Result<Min
     minimum(towers, &nearest, all, Least::Mass)
 }
 
-/// The search for a tower in steps, and for one that meets all limits as it is written.
+/// The search for a tower with stepped values that meets all limits with the values as they are
+/// written.
 struct Search<'s> {
     minimum: &'s [f64],
     present: &'s [f64],
-    /// The mass without steps.
+    /// The mass without stepped values.
     kg: f64,
 }
 
 impl Search<'_> {
-    /// The tower found, and whether all moves of steps were tried; none without steps. Where
-    /// rounding, or the mesh of the solve, violates a limit, the limit is tightened by as much and
-    /// the tower is searched again.
+    /// The tower found, and whether all moves by steps were tried; none without steps. If rounding
+    /// or the mesh of the final solve violates a limit, the limit is tightened by this amount and
+    /// the search is repeated.
     fn met(&self, towers: &mut Towers<'_>) -> Result<(Confirmed, Option<bool>), DesignError> {
-        /// Towers that are tried.
+        /// Largest number of towers tried.
         const MOST: usize = 12;
-        /// A limit that is exceeded by less, scaled, is met: rounding of its sum.
+        /// A limit counts as met if its scaled violation is smaller than this rounding error.
         const ROUNDING: f64 = 1e-12;
         let before = original(towers);
         let (stepped, others) = parted(towers);
@@ -262,14 +265,14 @@ impl Search<'_> {
     }
 }
 
-/// Values near given ones that meet all limits after these were tightened by a little; none if none
-/// are found by a change of the free variables.
+/// Values near given ones that meet all limits after these were tightened slightly; none if no
+/// change of the free variables gives such values.
 fn met_again(
     towers: &mut Towers<'_>,
     scaled: &[f64],
     free: &[usize],
 ) -> Result<Option<Vec<f64>>, DesignError> {
-    /// Solves of the search, which begins near its end.
+    /// Largest number of solves of this search, which begins near its result.
     const MOST_SOLVES: usize = 150;
     let moved = moved_within(towers, scaled, free)?;
     if moved.is_some() || free.is_empty() {
@@ -279,14 +282,14 @@ fn met_again(
     Ok(found.is_feasible().then_some(found.scaled))
 }
 
-/// The free variables moved by a little, so that the limits are met to first order: to each limit
-/// that is violated in turn, by the shortest way (Kaczmarz 1937).
+/// The free variables changed slightly, so that the limits are met to first order: repeated
+/// projection onto each violated limit in turn (Kaczmarz 1937).
 fn moved_within(
     towers: &mut Towers<'_>,
     scaled: &[f64],
     free: &[usize],
 ) -> Result<Option<Vec<f64>>, DesignError> {
-    /// Turns until the limits are given up.
+    /// Largest number of repetitions.
     const MOST_TURNS: usize = 10_000;
     let at = towers.at(scaled, true)?;
     let limits: &[Vec<f64>] = at.slopes.as_ref().map_or(&[], |slopes| &slopes.limits);
@@ -394,7 +397,7 @@ fn nearest_words(
 /// The pairs of fore-aft and side-side modes of one order that have the same frequency, although
 /// their bands exclude each other.
 fn excluded_by_symmetry(goals: &[Goal], at: &Point) -> Vec<[ModeName; 2]> {
-    /// Equal up to rounding.
+    /// Two frequencies count as equal if their relative difference is smaller.
     const EQUAL: f64 = 1e-9;
     let of = |family| {
         let all = goals.iter().zip(&at.ends);
@@ -416,7 +419,7 @@ fn excluded_by_symmetry(goals: &[Goal], at: &Point) -> Vec<[ModeName; 2]> {
     pairs
 }
 
-/// The multipliers of the active limits in units.
+/// The multipliers of the active limits in physical units.
 fn active(towers: &Towers<'_>, minimum: &Minimum) -> Vec<ActiveLimit> {
     let tower = towers.tower(&minimum.scaled);
     let all = minimum.optimality.active.iter();

@@ -1,6 +1,7 @@
-//! Values in steps, such as plate thicknesses: a minimum is brought into steps a few variables at a
-//! time, and improved by single steps and exchanges of two, whose effect the derivatives predict.
-//! The variables without steps are optimized again after each of them.
+//! Stepped values, such as plate thicknesses: the variables of a minimum are rounded to steps a few
+//! at a time, and the result is improved by single steps and by exchanges of two steps, whose
+//! effect the derivatives predict. The variables without steps are optimized again after each of
+//! them.
 
 use towermodes::Parameter;
 
@@ -10,24 +11,26 @@ use super::minimum::{MET, from_near};
 use super::optimality::{Least, optimality};
 use super::towers::Towers;
 
-/// Of the variables that are left this part is brought into steps at a time, one at least.
+/// One of this many parts of the remaining variables is rounded to steps at a time, at least one
+/// variable.
 const PART: usize = 8;
-/// Moves of one search.
+/// Largest number of moves of one search.
 const MOST_MOVES: usize = 200;
-/// Solves of one search, about a second for a large tower.
+/// Largest number of solves of one search, about a second for a large tower.
 const MOST_SOLVES: usize = 1500;
-/// Solves of one optimization, which begins near its end.
+/// Largest number of solves of one optimization that begins near its result.
 const MOST_SOLVES_NEAR: usize = 60;
-/// A move whose predicted change of the relative mass is above this is not tried: whole steps are
-/// predicted to this accuracy.
+/// A move is not tried if its predicted change of the relative mass is above this: the accuracy of
+/// the prediction for whole steps.
 const PREDICTED_MASS: f64 = 1e-5;
-/// A predicted limit may be this wrong, relatively.
+/// The relative error that a predicted limit may have.
 const PREDICTED_LIMIT: f64 = 2e-4;
-/// A smaller change of the relative mass is none.
+/// A smaller change of the relative mass counts as zero.
 const LEAST_GAIN: f64 = 1e-9;
 
-/// Scaled values in which every variable with a step has a multiple of it, with all limits met, and
-/// whether no move is left that is predicted to be lighter; none if the search finds none.
+/// Scaled values in which every variable with a step is a multiple of it and all limits are met,
+/// and whether no move is left that is predicted to be lighter; none if the search finds no such
+/// values.
 pub(super) fn in_steps(
     towers: &mut Towers<'_>,
     minimum: &[f64],
@@ -51,7 +54,7 @@ pub(super) fn parted(towers: &Towers<'_>) -> (Vec<usize>, Vec<usize>) {
     (0..towers.problem.variables.len()).partition(is_stepped)
 }
 
-/// A multiple of a step: of 0.001 the number that is written 0.021, not its neighbour.
+/// A multiple of a step, as the nearest number to its decimal form: 0.021 for 21 steps of 0.001.
 pub(super) fn multiple(count: f64, step: f64) -> f64 {
     let per_unit = (1.0 / step).round();
     match (per_unit * step - 1.0).abs() < 1e-12 {
@@ -65,13 +68,13 @@ impl Towers<'_> {
         self.problem.variables[variable].step.unwrap_or(1.0)
     }
 
-    /// The number of steps of a scaled value.
+    /// A scaled value as a number of steps.
     fn steps(&self, variable: usize, scaled: f64) -> f64 {
         let low = self.problem.variables[variable].low;
         (low + scaled * self.units[variable]) / self.step(variable)
     }
 
-    /// The scaled value of the multiple of a step that is nearest within the bounds.
+    /// The scaled value of this number of steps, or of the nearest number within the bounds.
     fn of_steps(&self, variable: usize, count: f64) -> f64 {
         let of = &self.problem.variables[variable];
         let [low, high] = of.multiples(self.step(variable));
@@ -80,9 +83,9 @@ impl Towers<'_> {
     }
 }
 
-/// Values in steps from those of the minimum without steps: the variables that are nearest to a
-/// step first, while the others are optimized again. None if the limits cannot be met with the
-/// variables that are left.
+/// Stepped values from the minimum without steps: the variables nearest to a step are rounded
+/// first, while the others are optimized again. None if the limits cannot be met with the remaining
+/// variables.
 fn dive(
     towers: &mut Towers<'_>,
     minimum: &[f64],
@@ -148,8 +151,9 @@ fn met_near(
     Ok(found.map(|found| (found.scaled, found.mass)))
 }
 
-/// Moves steps, with the others optimized after each move, until none that is predicted to reduce
-/// the mass does so; false if the search ended before. The limits are met before and after.
+/// Changes variables by steps, and optimizes the others after each move, until no move that is
+/// predicted to reduce the mass does so; false if the search ended before. The limits are met
+/// before and after.
 fn improve(
     towers: &mut Towers<'_>,
     (stepped, others): (&[usize], &[usize]),
@@ -174,12 +178,12 @@ fn improve(
     Ok(false)
 }
 
-/// The values after each single step and each exchange of two that is predicted to reduce the mass
-/// and to meet the limits, the lightest first.
+/// The values after each single step and each exchange of two steps that is predicted to reduce the
+/// mass and to meet the limits, the lightest first.
 ///
-/// The prediction is linear. With others it is that of the mass after they are optimized again,
-/// dm/ds + Σ λᵢ dgᵢ/ds with the multipliers λ of their minimum; of the limits only those of the
-/// shape are judged, by the best that the others can do within their bounds.
+/// The prediction is linear. If there are variables without steps, the predicted mass is that after
+/// their optimization, dm/ds + Σ λᵢ dgᵢ/ds with the multipliers λ of their minimum; only the limits
+/// of the shape are checked, for the best values of these variables within their bounds.
 fn lighter(
     towers: &mut Towers<'_>,
     (stepped, others): (&[usize], &[usize]),
@@ -225,7 +229,7 @@ fn lighter(
 }
 
 /// The values after one step of one variable, and of two in opposite directions, within the bounds.
-/// Where that breaks an order of numbers, the neighbours move along.
+/// If a step violates a required order of input values, the neighbours are changed too.
 fn moves(towers: &Towers<'_>, stepped: &[usize], scaled: &[f64]) -> Vec<Vec<f64>> {
     let pairs = ordered(towers, stepped);
     let mut all = Vec::new();
@@ -276,8 +280,8 @@ fn ordered(towers: &Towers<'_>, stepped: &[usize]) -> Vec<[usize; 2]> {
     pairs.collect()
 }
 
-/// Lets the neighbours in a falling order follow a move: upwards those below, downwards those
-/// above.
+/// Changes the neighbours in a falling order with a move: after an increase those below, after a
+/// decrease those above.
 fn in_order(towers: &Towers<'_>, pairs: &[[usize; 2]], scaled: &[f64], counts: &mut [f64]) {
     let value = |counts: &[f64], i: usize| counts[i] * towers.step(i);
     for _ in 0..counts.len() {
@@ -301,7 +305,7 @@ fn lighter_present(
     present: &[f64],
     found: &[f64],
 ) -> Result<Option<Vec<f64>>, DesignError> {
-    /// Of the range of a variable.
+    /// Rounding error as a fraction of the range of a variable.
     const ROUNDING: f64 = 1e-9;
     let mut in_steps = present.to_vec();
     for &i in stepped {

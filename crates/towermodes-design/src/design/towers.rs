@@ -1,5 +1,5 @@
-//! The towers of a design in scaled numbers: variables in their units above the lower bound, mass
-//! relative to that of the start, limits as functions that must not be positive.
+//! The towers of a design in scaled values: variables in their units above the lower bound, mass
+//! relative to the start, limits as functions that must not be positive.
 
 use std::rc::Rc;
 
@@ -13,13 +13,13 @@ use super::error::DesignError;
 use super::limits::{Limit, Row, rows};
 use super::problem::{DesignProblem, Goal, Side};
 
-/// More modes than this are not searched for a goal.
+/// Largest number of modes computed to find the mode of a goal.
 pub(super) const MOST_MODES: usize = 64;
 
 /// Mass and limits of a tower.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Point {
-    /// Mass relative to that of the start.
+    /// Mass relative to the mass at the start.
     pub(super) mass: f64,
     /// The limits in the order of [`Towers::limits`]; frequencies relative to their limit.
     pub(super) limits: Vec<f64>,
@@ -28,7 +28,7 @@ pub(super) struct Point {
     /// For each goal, the modes with the lowest and with the highest frequency among those to which
     /// it applies.
     pub(super) ends: Vec<[End; 2]>,
-    /// The frequency of the mode that has the name of each goal, Hz.
+    /// The frequency of the named mode of each goal, Hz.
     pub(super) named_hz: Vec<f64>,
 }
 
@@ -39,7 +39,7 @@ impl Point {
     }
 }
 
-/// The mode that decides on one end of a band.
+/// The mode that determines one end of a band.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct End {
     pub(super) mode: ModeName,
@@ -54,18 +54,19 @@ pub(super) struct Slopes {
     pub(super) limits: Vec<Vec<f64>>,
 }
 
-/// The towers of a problem, and the memory of their solves.
+/// The towers of a problem, and the memory for their solutions.
 pub(super) struct Towers<'d> {
     pub(super) problem: &'d DesignProblem,
     pub(super) base: &'d TowerDescription,
     pub(super) options: &'d Options,
     solver: &'d mut Solver,
-    /// Whether the design is still wanted.
+    /// Returns whether the design shall continue.
     goes_on: &'d mut dyn FnMut() -> bool,
     rows: Vec<Row>,
     /// The ends of the bands of the goals, then the limits of the shape.
     pub(super) limits: Vec<Limit>,
-    /// How much stricter each limit is for the search, scaled: what rounding and another mesh take.
+    /// The amount by which each limit is tightened in the search, scaled, because rounding and the
+    /// other mesh of the final solve change its value.
     room: Vec<f64>,
     /// The unit of each variable.
     pub(super) units: Vec<f64>,
@@ -115,7 +116,7 @@ impl<'d> Towers<'d> {
         }
     }
 
-    /// The values of the variables of scaled ones.
+    /// The values of the variables from scaled values.
     pub(super) fn values(&self, scaled: &[f64]) -> Vec<f64> {
         let all = self.problem.variables.iter().zip(scaled).enumerate();
         all.map(|(i, (of, z))| match *z {
@@ -127,7 +128,7 @@ impl<'d> Towers<'d> {
         .collect()
     }
 
-    /// The scaled variables of values.
+    /// The scaled values of the variables.
     pub(super) fn scaled(&self, values: &[f64]) -> Vec<f64> {
         let all = self.problem.variables.iter().zip(values).enumerate();
         all.map(|(i, (of, value))| ((value - of.low) / self.units[i]).clamp(0.0, self.highest[i]))
@@ -139,8 +140,8 @@ impl<'d> Towers<'d> {
         self.problem.tower(self.base, &self.values(scaled))
     }
 
-    /// Mass and limits at scaled values, and their derivatives if requested. A tower that was
-    /// solved last is not solved again.
+    /// Mass and limits at scaled values, and their derivatives if requested. If the tower was the
+    /// last one solved, it is not solved again.
     pub(super) fn at(&mut self, scaled: &[f64], slopes: bool) -> Result<Rc<Point>, DesignError> {
         if let Some((at, known)) = &self.last
             && at.as_slice() == scaled
@@ -161,9 +162,9 @@ impl<'d> Towers<'d> {
         Ok(())
     }
 
-    /// Makes the limits stricter that are above `tolerated`.
+    /// Tightens the limits whose values are above `tolerated`.
     pub(super) fn tighten(&mut self, limits: &[f64], tolerated: f64) {
-        /// The next values are rounded anew.
+        /// Additional tightening, because the next values have other rounding errors.
         const MORE: f64 = 2e-9;
         for (room, value) in self.room.iter_mut().zip(limits) {
             if *value > tolerated {
@@ -173,7 +174,7 @@ impl<'d> Towers<'d> {
         self.last = None;
     }
 
-    /// A tower, solved as any other, with as many modes as `has_all` needs.
+    /// The solution of a tower with the options of `solve`, with as many modes as `has_all` needs.
     pub(super) fn solution(
         &mut self,
         tower: &Tower,
@@ -188,7 +189,7 @@ impl<'d> Towers<'d> {
         self.solver.with(options, all)
     }
 
-    /// A limit in its unit, and its scaled change per unit by which it is relaxed.
+    /// A limit in its unit, and its scaled change per unit of relaxation.
     pub(super) fn unit(&self, limit: &Limit, tower: &TowerDescription) -> (f64, f64) {
         match *limit {
             Limit::Bound { variable, side } => {
@@ -206,8 +207,8 @@ impl<'d> Towers<'d> {
         }
     }
 
-    /// The limits on a tower with these frequencies at the ends of the bands: positive where they
-    /// are violated.
+    /// The limits for a tower with these frequencies at the ends of the bands: positive if they are
+    /// violated.
     pub(super) fn limit_values(&self, ends: &[[End; 2]], tower: &TowerDescription) -> Vec<f64> {
         let goals = self.limits.iter().filter_map(|limit| {
             let (goal, side, limit_hz) = self.of_goal(limit)?;
@@ -251,8 +252,9 @@ impl<'d> Towers<'d> {
         })
     }
 
-    /// The modes of a tower, with all derivatives if requested, and the places of the ends of each
-    /// goal. The number of modes is increased until it contains all that the goals bind.
+    /// The modes of a tower, with all derivatives if requested, and the indices of the modes at the
+    /// ends of each goal. The number of modes is increased until the list contains all modes to
+    /// which the goals apply.
     fn solved(
         &mut self,
         tower: &TowerDescription,
@@ -331,7 +333,7 @@ impl<'d> Towers<'d> {
     }
 }
 
-/// Of (frequency/limit − 1), so that it is positive where the limit is violated.
+/// The sign of (frequency/limit − 1) for which a positive value means a violation.
 fn sign(side: Side) -> f64 {
     match side {
         Side::Lowest => -1.0,
@@ -339,11 +341,10 @@ fn sign(side: Side) -> f64 {
     }
 }
 
-/// The places in the list of the modes with the lowest and the highest frequency that each goal
-/// binds.
+/// The indices of the modes with the lowest and the highest frequency to which each goal applies.
 ///
 /// # Errors
-/// The name whose mode, or of which a holder, may be above the list, unless that is the last one.
+/// The name of a goal for which one of these modes may be above the list, unless `is_last`.
 fn ends(
     goals: &[Goal],
     modes: &[ModeFrequency],

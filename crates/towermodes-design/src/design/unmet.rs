@@ -6,14 +6,14 @@ use towermodes::ModeName;
 
 use super::limits::Limit;
 
-/// That no tower was found that meets all limits, and the nearest one. The search is local: where
-/// only frequencies are violated, there may be such a tower elsewhere.
+/// The error that no tower was found that meets all limits, with the nearest tower. The search is
+/// local: if only frequencies are violated, such a tower may exist elsewhere.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Infeasible {
     /// The violated limits, the worst first.
     pub violated: Vec<Conflict>,
-    /// The limits that prevent a nearer tower, in words; none where the modes with the names meet
-    /// theirs, and only others that share their motions do not.
+    /// The limits that prevent a nearer tower, as text; none if the named modes meet their bands
+    /// and only other modes that share their motions violate them.
     pub in_the_way: Vec<String>,
     /// The values of the variables of the nearest tower.
     pub values: Vec<f64>,
@@ -28,7 +28,7 @@ pub struct Conflict {
     pub limit: Limit,
     /// The limit in words: "fore-aft 1 at least 0.3 Hz".
     pub wanted: String,
-    /// The value of the nearest tower in words: "0.284 Hz".
+    /// The value for the nearest tower as text: "0.284 Hz".
     pub nearest: String,
 }
 

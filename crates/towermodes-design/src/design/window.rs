@@ -6,12 +6,12 @@ use towermodes::Rotor;
 /// Why there is no band of frequencies between two multiples.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum WindowError {
-    /// The multiples are not in order.
+    /// The lower multiple is not below the upper one.
     #[error("{lower}P-{upper}P is not a window: the first multiple must be lower")]
     Order {
         /// The lower multiple.
         lower: usize,
-        /// The upper one.
+        /// The upper multiple.
         upper: usize,
     },
     /// The margin is not between 0 and 1.
@@ -20,7 +20,7 @@ pub enum WindowError {
         /// The margin, as a fraction.
         margin: f64,
     },
-    /// The operating speeds are so different that the excitations leave no room.
+    /// The operating speeds differ so much that the band between the excitations is empty.
     #[error(
         "the window {lower}P-{upper}P is empty: with the margin, {lower}P requires at least {min_hz:.4} Hz and {upper}P at most {max_hz:.4} Hz"
     )]

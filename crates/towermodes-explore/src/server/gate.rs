@@ -1,4 +1,4 @@
-//! Who may ask: the page itself, under its own address.
+//! Requests that are accepted: only those of the page itself, under its own address.
 
 use hyper::StatusCode;
 use hyper::header::{HOST, HeaderMap, ORIGIN};
@@ -25,10 +25,10 @@ impl Gate {
         format!("http://127.0.0.1:{}/{}/", self.port, self.token)
     }
 
-    /// The path below the token.
+    /// The part of the path after the token.
     ///
     /// # Errors
-    /// [`Refused`]: other headers or another path than the page's own.
+    /// [`Refused`]: the headers or the path are not those of the page.
     pub(super) fn inside<'p>(
         &self,
         headers: &HeaderMap,
@@ -69,7 +69,7 @@ impl Gate {
     }
 }
 
-/// The value of a header that is there once.
+/// The value of a header that occurs exactly once.
 fn single<'h>(headers: &'h HeaderMap, name: &str) -> Option<&'h str> {
     let mut all = headers.get_all(name).iter();
     match (all.next(), all.next()) {
@@ -78,7 +78,7 @@ fn single<'h>(headers: &'h HeaderMap, name: &str) -> Option<&'h str> {
     }
 }
 
-/// Equality in a time that does not depend on where the difference is.
+/// Equality in a time that does not depend on the position of the first difference.
 fn is_same(a: &[u8], b: &[u8]) -> bool {
     let differences = a.iter().zip(b).fold(0, |all, (a, b)| all | (a ^ b));
     a.len() == b.len() && differences == 0

@@ -1,8 +1,9 @@
-//! The server of the page: on this machine only, for who knows the token in its address.
+//! The server of the page: only for this machine, and only with the token in the address.
 //!
-//! Another page of the browser can neither read nor ask: the address has 128 random bits, the
-//! headers `Host`, `Origin` and `Sec-Fetch-Site` must be those of the page itself (which also
-//! refuses names that are rebound to this machine), and answers allow only the page's own scripts.
+//! Other pages in the browser can neither read the page nor send requests: the address has 128
+//! random bits, the headers `Host`, `Origin` and `Sec-Fetch-Site` must be those of the page itself
+//! (which also refuses DNS rebinding to this machine), and the answers allow only the scripts of
+//! the page.
 
 mod gate;
 mod reply;
@@ -26,17 +27,17 @@ use super::explorer::Explorer;
 use gate::Gate;
 use route::Routes;
 
-/// A connection that asks nothing for so long is closed. A browser opens another.
+/// A connection without a request for this time is closed. The browser then opens a new one.
 const IDLE: Duration = Duration::from_secs(5);
-/// A body that takes longer than this is not waited for.
+/// A request body that takes longer than this is refused.
 const SLOW_BODY: Duration = Duration::from_secs(10);
-/// More connections than this at once are closed at once. A browser has six.
+/// Further connections are closed at once. A browser uses six.
 const MOST_CONNECTIONS: usize = 256;
 /// The largest number of answers that are computed at the same time: besides the tower a page may
 /// request the diagram of a turbine, its modes at a rotor speed, and a design.
 const THREADS: usize = 4;
 
-/// A server that has its address and waits.
+/// A server with an open port that does not yet answer.
 pub struct Server {
     listener: TcpListener,
     runtime: Runtime,
@@ -44,7 +45,7 @@ pub struct Server {
 }
 
 impl Server {
-    /// A server on a port of this machine; 0 is any that is free.
+    /// Opens a server on a port of this machine; 0 selects any free port.
     ///
     /// # Errors
     /// The error of the system: the port is taken, or may not be used.

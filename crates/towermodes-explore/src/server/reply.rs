@@ -14,7 +14,8 @@ use crate::take::Taken;
 /// The body of an answer.
 pub(super) type Body = Full<Bytes>;
 
-/// What the page may do: its own scripts, styles and requests, pictures that it makes itself.
+/// What the browser allows the page: its own scripts, styles and requests, and pictures that it
+/// creates.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; \
      connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 

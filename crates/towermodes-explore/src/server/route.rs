@@ -17,10 +17,10 @@ use crate::question::{Question, Reply};
 
 const JSON: &str = "application/json";
 
-/// The largest body, bytes: the numbers of ten thousand stations.
+/// The largest body, bytes: the input values of ten thousand stations.
 const MOST_BYTES: usize = 1 << 20;
 
-/// The explorer behind its gate, with the files of the page.
+/// The explorer, its access check, and the files of the page.
 pub(super) struct Routes {
     explorer: Explorer,
     gate: Gate,
@@ -30,9 +30,9 @@ pub(super) struct Routes {
 /// The target of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Route {
-    /// To a file of the page, by its index.
+    /// A file of the page, by its index.
     File(usize),
-    /// To a question.
+    /// A question.
     Question(Question),
 }
 
@@ -75,7 +75,7 @@ impl Routes {
     }
 }
 
-/// Answers a request; what computes runs on a thread of its own.
+/// Answers a request; computations run on a separate thread.
 pub(super) async fn answer(routes: Arc<Routes>, route: Route, body: Incoming) -> Response<Body> {
     let question = match route {
         Route::File(index) => {
@@ -109,7 +109,7 @@ pub(super) async fn answer(routes: Arc<Routes>, route: Route, body: Incoming) ->
     })
 }
 
-/// The whole body of a request, if it is small and comes in time.
+/// The whole body of a request, if it is small and arrives in time.
 async fn whole(body: Incoming) -> Result<Bytes, Response<Body>> {
     let collected = tokio::time::timeout(SLOW_BODY, Limited::new(body, MOST_BYTES).collect());
     match collected.await {

@@ -48,8 +48,8 @@ impl Sources {
 /// Reads a deck from its main file; `files` gives the section file that it names.
 ///
 /// # Errors
-/// [`ReadError::Unreadable`] if there is no section file, [`ReadError::Mistakes`] for what BModes
-/// or physics does not allow.
+/// [`ReadError::Unreadable`] if there is no section file, [`ReadError::Mistakes`] for input that
+/// BModes does not accept or that is physically impossible.
 pub fn read_bmodes(
     source: Source,
     files: &dyn FileResolver,
@@ -91,7 +91,7 @@ fn read_deck(source: Source, files: &dyn FileResolver) -> Result<(Deck, Sources)
     Ok((deck, sources))
 }
 
-/// A deck is recognized by its first lines.
+/// Largest number of lines used to recognize a deck.
 const LOOKED_AT: usize = 60;
 
 /// Whether a text is the main file of a deck: lines with the names of its parameters after a value

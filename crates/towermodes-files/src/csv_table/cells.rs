@@ -1,4 +1,4 @@
-//! The rows of a text and their cells, each with its place, which no library of CSV gives.
+//! The rows of a text and their cells, each with its place, which CSV libraries do not provide.
 //!
 //! Source of the syntax: RFC 4180 (Shafranovich, 2005), with the separators and the byte order mark
 //! of spreadsheets.
@@ -8,8 +8,7 @@ use std::ops::Range;
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// A cell: its text without quotation marks and blanks around it, and the bytes of the file it
-/// takes.
+/// A cell: its text without quotation marks and blanks around it, and its byte range in the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Cell<'a> {
     pub(crate) text: Cow<'a, str>,
@@ -23,7 +22,7 @@ pub(crate) struct Record<'a> {
     pub(crate) span: Range<usize>,
 }
 
-/// The rows of a text one after the other, without empty ones and comments, which begin with `#`.
+/// The rows of a text one after another, without empty rows and comments, which begin with `#`.
 #[derive(Debug, Clone)]
 pub(crate) struct Records<'a> {
     text: &'a str,
@@ -32,7 +31,7 @@ pub(crate) struct Records<'a> {
 }
 
 impl<'a> Records<'a> {
-    /// Finds the separator of columns: that of `sep=` in the first line, or else the semicolon, the
+    /// Finds the column separator: that of `sep=` in the first line, otherwise the semicolon, the
     /// tab or the comma of the header.
     pub(crate) fn new(text: &'a str) -> Self {
         let next = if text.starts_with('\u{feff}') { 3 } else { 0 };
@@ -56,7 +55,7 @@ impl<'a> Records<'a> {
         records
     }
 
-    /// The separator of columns.
+    /// The column separator.
     pub(crate) fn delimiter(&self) -> char {
         self.delimiter
     }
@@ -67,7 +66,7 @@ impl<'a> Records<'a> {
         rest.split('\n').next().unwrap_or_default()
     }
 
-    /// Passes over lines that have nothing in them, and comments.
+    /// Skips empty lines and comments.
     fn skip_empty(&mut self) {
         while self.next < self.text.len() {
             let line = self.line();
@@ -105,7 +104,7 @@ impl<'a> Records<'a> {
         Ok((Cell { text, span }, next != Some(self.delimiter)))
     }
 
-    /// The text of a cell without quotation marks that begins at a byte, and where it ends.
+    /// The text of a cell without quotation marks that begins at a byte, and its end.
     fn plain(&self, start: usize) -> (Cow<'a, str>, usize) {
         let rest = &self.text[start..];
         let length = rest.find([self.delimiter, '\n']).unwrap_or(rest.len());
@@ -113,8 +112,8 @@ impl<'a> Records<'a> {
         (Cow::Borrowed(text), start + text.len())
     }
 
-    /// The text of a cell whose opening quotation mark is at a byte, and where its closing one
-    /// ends.
+    /// The text of a cell whose opening quotation mark is at a byte, and the end of its closing
+    /// one.
     fn quoted(&self, start: usize) -> Result<(Cow<'a, str>, usize), Diagnostic> {
         let inner = &self.text[start + 1..];
         let mut from = 0;

@@ -1,4 +1,4 @@
-//! The rows and cells of a table in CSV with their places, their numbers and units of length, for
+//! The rows and cells of a CSV table with their places, their numbers and units of length, for
 //! tables whose header gives the quantity and unit of each column.
 
 mod cells;
@@ -24,7 +24,7 @@ pub(crate) struct Width {
 }
 
 impl Width {
-    /// Refuses a row with too few or too many cells; empty ones at its end do not count.
+    /// Refuses a row with too few or too many cells; empty cells at its end do not count.
     pub(crate) fn check(self, record: &Record<'_>) -> Result<(), Diagnostic> {
         let filled = record.cells.iter().rposition(|cell| !cell.text.is_empty());
         let filled = filled.map_or(0, |last| last + 1);
@@ -43,7 +43,7 @@ impl Width {
     }
 }
 
-/// The rows after the header, each with its mistake if its cells are too many or too few; the row
+/// The rows after the header, each with its mistake if it has too many or too few cells; the row
 /// after the first `most` is the last one, and a mistake.
 pub(crate) fn rows(
     records: Records<'_>,
@@ -64,7 +64,7 @@ pub(crate) fn rows(
         })
 }
 
-/// Refuses a first row of numbers, where the names of columns should be.
+/// Refuses a first row of numbers, where the column names should be.
 pub(crate) fn check_header(record: &Record<'_>, example: &str) -> Result<(), Diagnostic> {
     let is_number = |cell: &Cell<'_>| cell.text.replace(',', ".").parse::<f64>().is_ok();
     if !record.cells.iter().all(is_number) {

@@ -1,4 +1,5 @@
-//! Numbers of cells, with a decimal point or, where commas separate no columns, a decimal comma.
+//! Numbers in cells, with a decimal point, or with a decimal comma if commas do not separate
+//! columns.
 
 use super::cells::Cell;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, line_and_column, quoted};
@@ -8,7 +9,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind, line_and_column, quoted};
 pub(crate) struct Numbers<'a> {
     text: &'a str,
     delimiter: char,
-    /// The place of the first number with a decimal sign, and the sign.
+    /// The place of the first number with a decimal separator, and the separator.
     first: Option<(usize, char)>,
 }
 
@@ -50,8 +51,8 @@ impl<'a> Numbers<'a> {
         Ok(number)
     }
 
-    /// Refuses a decimal sign that differs from that of other numbers: one of the two separates
-    /// thousands.
+    /// Refuses a decimal separator that differs from that of other numbers, because one of the two
+    /// separates thousands.
     fn check_sign(&mut self, cell: &Cell<'_>, sign: Option<char>) -> Result<(), Diagnostic> {
         let Some(sign) = sign else { return Ok(()) };
         let (first, expected) = *self.first.get_or_insert((cell.span.start, sign));
@@ -76,7 +77,7 @@ fn wrong(cell: &Cell<'_>, what: &str) -> Diagnostic {
     Diagnostic::new(cell.span.clone(), kind)
 }
 
-/// The mistake of a text that is not a number, with a hint if it begins like one.
+/// The mistake of a text that is not a number, with a hint if it begins with one.
 fn explained(mistake: Diagnostic, text: &str) -> Diagnostic {
     let begins = text.starts_with(|c: char| c.is_ascii_digit() || c == '-');
     match begins && text.ends_with(char::is_alphabetic) {

@@ -36,8 +36,8 @@ impl Unit {
         found.map(|(_, unit)| *unit)
     }
 
-    /// A length in metres; what a division leaves is the number nearest to it, so that 27 mm is
-    /// 0.027 m to the last digit.
+    /// A length in metres, rounded to the nearest number by a division, so that 27 mm is exactly
+    /// 0.027 m.
     pub(crate) fn metres(self, value: f64) -> f64 {
         match self {
             Self::Metres => value,

@@ -1,4 +1,4 @@
-//! The kinds of mistakes in files, with their numbers.
+//! The kinds of mistakes in files, with the values that their messages contain.
 
 use std::fmt;
 
@@ -10,9 +10,9 @@ use towermodes::{ModeNameError, ParameterError, Problem};
 
 use crate::sampling::SamplingError;
 
-/// A problem in a file. `Display` gives the sentence.
+/// A problem in a file. `Display` gives the message.
 ///
-/// `what` is the quantity or part of the file in the words of its format, such as `NacMass (mass,
+/// `what` is the quantity or part of the file as its format names it, for example `NacMass (mass,
 /// kg)` or `row 3 of the soil`.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -22,7 +22,7 @@ pub enum DiagnosticKind {
     Syntax {
         /// The grammar.
         format: &'static str,
-        /// The reason by the parser.
+        /// The reason given by the parser.
         reason: String,
     },
     /// The file has no content.
@@ -31,10 +31,10 @@ pub enum DiagnosticKind {
     /// The file ends too early.
     #[error("the file ends where {expected} is expected")]
     EndOfFile {
-        /// Content that is expected next.
+        /// The content that is expected next.
         expected: String,
     },
-    /// The file is of another kind than is needed.
+    /// The file is of another kind than required.
     #[error("this is {found}")]
     WrongFile {
         /// The kind of the file, as a phrase such as `a blade file of ElastoDyn`.
@@ -69,7 +69,7 @@ pub enum DiagnosticKind {
     MissingKey {
         /// The table or part that lacks it.
         what: String,
-        /// The key.
+        /// The key that must be there.
         key: String,
     },
     /// Something other than a key that must be there.
@@ -85,10 +85,10 @@ pub enum DiagnosticKind {
         what: String,
         /// The type that is expected, such as `a number`.
         expected: String,
-        /// Content in its place.
+        /// The content found instead.
         found: String,
     },
-    /// A line that belongs to another place.
+    /// A line that belongs at another place.
     #[error("expected {expected} here, found {found}")]
     Misplaced {
         /// Expected content.
@@ -146,7 +146,7 @@ pub enum DiagnosticKind {
         /// The number that is expected, such as `3 or 4`.
         expected: String,
     },
-    /// More items than can be computed with.
+    /// More items than the program can process.
     #[error("{found} {what} are more than the limit of {limit}")]
     TooMany {
         /// The items.
@@ -164,7 +164,7 @@ pub enum DiagnosticKind {
         /// Number of occurrences so far.
         times: usize,
     },
-    /// A name that nothing in the file has.
+    /// A name that does not occur in the file.
     #[error("there is no {what} `{name}`")]
     UnknownName {
         /// The kind of thing, such as `material`.
@@ -180,12 +180,12 @@ pub enum DiagnosticKind {
         /// Content after the comma.
         rest: String,
     },
-    /// A value that is left out between commas or by a `/`: Fortran would keep an undefined one.
+    /// A value that is omitted between commas or by a `/`: Fortran would use an undefined value.
     #[error("{what} has no value here: {reason}")]
     NoValue {
         /// The quantity.
         what: String,
-        /// Reason why it is omitted.
+        /// The reason why it is omitted.
         reason: &'static str,
     },
     /// Values that contradict each other.
@@ -194,30 +194,30 @@ pub enum DiagnosticKind {
     /// Content that the format allows and this program does not model.
     #[error("{0}")]
     Unsupported(String),
-    /// A name that is no number of the tower, or two that are the same.
+    /// A name that is not an input value of the tower, or a name that occurs twice.
     #[error(transparent)]
     Parameter(ParameterError),
-    /// A name that is not that of a mode.
+    /// A name that is not a mode name.
     #[error(transparent)]
     ModeName(ModeNameError),
-    /// Values that cannot be drawn.
+    /// A distribution from which no values can be drawn.
     #[error(transparent)]
     Sampling(SamplingError),
-    /// A tower that the checks of the library refuse.
+    /// A tower that the library refuses.
     #[error(transparent)]
     Tower(Problem),
-    /// A turbine that the checks of the library refuse.
+    /// A turbine that the library refuses.
     #[error(transparent)]
     Turbine(Box<TurbineError>),
-    /// A frame that the checks of the library refuse.
+    /// A frame that the library refuses.
     #[error(transparent)]
     Frame(Box<FrameError>),
-    /// A mooring system that the checks of the library refuse.
+    /// A mooring system that the library refuses.
     #[error(transparent)]
     Mooring(MooringError),
 }
 
-/// A number in a message with all the digits it needs, with an exponent where that is shorter.
+/// A number in a message with all digits that it needs, with an exponent if that is shorter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Exact(
     /// The number.
@@ -352,7 +352,7 @@ impl DiagnosticKind {
     }
 }
 
-/// "value" of one, "values" of several.
+/// "value" for one item, "values" for several.
 fn counted(count: usize, items: &'static str) -> &'static str {
     match count {
         1 => items.strip_suffix('s').unwrap_or(items),

@@ -1,4 +1,4 @@
-//! A mistake in a file: its place, its kind with the numbers, and what would be right.
+//! A mistake in a file: its place, its kind with the numbers, and a suggestion.
 
 mod kind;
 
@@ -7,12 +7,12 @@ use std::ops::Range;
 
 pub use kind::{DiagnosticKind, Exact};
 
-/// A mistake in a file: where, what, and what would be right.
+/// A mistake in a file: its place, the problem, and a suggestion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnostic {
     /// The problem, with its numbers.
     pub kind: DiagnosticKind,
-    /// The bytes of the file that are wrong.
+    /// The byte range of the mistake in the file.
     pub span: Range<usize>,
     /// A suggestion.
     pub hint: Option<String>,
@@ -25,14 +25,14 @@ impl Diagnostic {
         Self { kind, span, hint }
     }
 
-    /// The same with what would be right.
+    /// The mistake with a suggestion.
     #[must_use]
     pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
         self.hint = Some(hint.into());
         self
     }
 
-    /// The problem as a sentence.
+    /// The problem as a message.
     pub fn message(&self) -> String {
         self.kind.to_string()
     }
@@ -56,7 +56,7 @@ pub(crate) fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     (line, before[line_start..].chars().count() + 1)
 }
 
-/// The first 40 characters of a text, in backquotes: what is found in a file.
+/// The first 40 characters of a text, in backquotes: the content found in a file.
 pub(crate) fn quoted(text: &str) -> String {
     let start: String = text.chars().take(40).collect();
     format!("`{start}`")

@@ -26,10 +26,10 @@ use crate::resolver::{FileResolver, folder_of, found_elsewhere};
 use crate::source::Source;
 use crate::subdyn::{Interface, SoildynInput, SubdynInput, read_soildyn, read_subdyn};
 
-/// The structure below the tower.
+/// The structure below the tower, with the files that describe it.
 #[derive(Debug, Default)]
 pub(super) struct Below {
-    /// The foundation; clamped if the files of nothing below the tower are there.
+    /// The foundation; clamped if there are no files of a structure below the tower.
     pub(super) foundation: Foundation,
     pub(super) notes: Vec<Note>,
     pub(super) sources: Vec<Source>,
@@ -39,7 +39,7 @@ pub(super) struct Below {
     pub(super) places: Vec<(Place, usize, Range<usize>)>,
 }
 
-/// Reads what is below the tower.
+/// Reads the structure below the tower.
 ///
 /// # Errors
 /// The first mistake in one of the files, or that one of them cannot be read.
@@ -65,7 +65,7 @@ pub(super) fn below(
     }
 }
 
-/// An `.fst` file, the main file of ElastoDyn that it names, and where the others are.
+/// An `.fst` file, the main file of ElastoDyn that it names, and access to the other files.
 struct Model<'a> {
     fst: &'a Source,
     main: &'a MainFile,
@@ -79,18 +79,18 @@ struct Found<'a> {
     source: Source,
     /// Its folder as seen from the `.fst` file.
     folder: &'a str,
-    /// The bytes of its name.
+    /// The byte range of its name.
     span: Range<usize>,
-    /// That it was found elsewhere.
+    /// The note that it was found elsewhere.
     note: Option<Note>,
 }
 
 impl<'a> Model<'a> {
-    /// The file that one of some names of the `.fst` file gives; none if it has no such line: then
-    /// the part is missing, which the result says.
+    /// The file whose name is on one of these lines of the `.fst` file; none if the `.fst` file has
+    /// no such line: then the part is missing, which the result states.
     ///
     /// # Errors
-    /// That the file cannot be read: without it the model is another structure.
+    /// The file cannot be read: without it the model would be another structure.
     fn file(&self, module: &str, names: &[&str]) -> Result<Option<Found<'a>>, ReadError> {
         let lines = names.iter();
         let Some(line) = lines.clone().find_map(|name| line_of(&self.fst.text, name)) else {
@@ -118,8 +118,8 @@ impl<'a> Model<'a> {
     }
 
     /// The substructure of SubDyn, with the platform of ElastoDyn as its transition piece, and the
-    /// water on its members. If no reaction joint is held, it floats: water plane, buoyancy and
-    /// mooring lines hold it.
+    /// water on its members. If no reaction joint is fixed, it floats: its restoring stiffness is
+    /// that of water plane, buoyancy and mooring lines.
     fn substructure(&self) -> Result<Below, ReadError> {
         let Some(file) = self.file("CompSub", &["SubFile", "SDFile"])? else {
             return Ok(Below::default());
@@ -244,7 +244,7 @@ impl<'a> Model<'a> {
         Ok(below)
     }
 
-    /// Moors a platform by the lines of the file of MAP++ or MoorDyn, if there is one.
+    /// Adds the mooring lines of the MAP++ or MoorDyn file to a platform, if there is one.
     fn moor(
         &self,
         platform: &mut FloatingPlatform,
@@ -286,7 +286,7 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The files that give the water, if there is water: the `.fst` file and that of SeaState.
+    /// The files that give the water, if there is water: the `.fst` file and the SeaState file.
     fn sea(&self) -> Result<Sea, ReadError> {
         let mut sea = Sea::default();
         sea.add(self.fst.clone());
@@ -299,7 +299,7 @@ impl<'a> Model<'a> {
         Ok(sea)
     }
 
-    /// The content of the file of HydroDyn, if there is one, which joins those of the water.
+    /// The content of the HydroDyn file, if there is one; the file is added to those of the water.
     fn water(&self, sea: &mut Sea) -> Result<Option<HydrodynInput>, ReadError> {
         if !is_on(self.fst, "CompHydro") {
             return Ok(None);
@@ -342,7 +342,8 @@ impl<'a> Model<'a> {
         Ok(Some(lines))
     }
 
-    /// Gravity as OpenFAST has it: in the `.fst` file, or before in the main file of ElastoDyn.
+    /// Gravity as in OpenFAST: from the `.fst` file, or in earlier versions from the main file of
+    /// ElastoDyn.
     fn gravity_m_per_s2(&self) -> f64 {
         let of_fst = gravity_of_fst(self.fst).ok().flatten();
         of_fst
@@ -358,14 +359,14 @@ fn hangs_below(span: Range<usize>) -> Diagnostic {
     Diagnostic::new(span, DiagnosticKind::Unsupported(message.to_owned())).with_hint(hint)
 }
 
-/// The mistake of a substructure that nothing holds, not even water.
+/// The mistake of a substructure without any support, including water.
 fn nothing_holds(span: Range<usize>) -> Diagnostic {
     let message = "the substructure of SubDyn has no support: no reaction joint is fixed, and no HydroDyn file gives buoyancy";
     let hint = "fix reaction joints, give CompHydro 1 and a HydroFile for a floater, or use --clamped for the tower alone";
     Diagnostic::new(span, DiagnosticKind::Unsupported(message.to_owned())).with_hint(hint)
 }
 
-/// Refuses a structure that nothing holds and that stands on the seabed.
+/// Refuses a structure without supports that stands on the seabed.
 fn check_afloat(subdyn: &SubdynInput, water: &HydrodynInput) -> Result<(), ReadError> {
     let joints = subdyn.description.joints.iter();
     let lowest = joints.min_by(|a, b| a.position_m[2].total_cmp(&b.position_m[2]));
@@ -408,7 +409,7 @@ fn transition_piece(main: &MainFile) -> RigidBody {
     }
 }
 
-/// The note that motions of the platform that the file holds are free here.
+/// The note that motions of the platform that the file fixes are free in this program.
 fn held_note(main: &MainFile, what_moves: &str) -> Option<Note> {
     let is_held = main.platform_dofs.contains(&false);
     is_held.then(|| {

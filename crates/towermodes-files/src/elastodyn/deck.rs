@@ -33,25 +33,25 @@ use crate::resolver::{FileResolver, beside};
 use crate::source::Source;
 use crate::turbine::TurbineReading;
 
-/// Lighter nacelles are on no tower above [`HIGH_TOWER_M`], kg.
+/// Nacelles of turbines on towers above [`HIGH_TOWER_M`] have at least this mass, kg.
 const LIGHTEST_NACELLE_KG: f64 = 1e3;
-/// Small turbines stand on lower towers, m.
+/// Small turbines have lower towers than this, m.
 const HIGH_TOWER_M: f64 = 40.0;
 
 /// An ElastoDyn model and the tower that it describes.
 #[derive(Debug, Clone)]
 pub struct ElastoDynDeck {
-    /// The main file's content.
+    /// The content of the main file.
     pub main: MainFile,
     /// The main file.
     pub main_source: Source,
-    /// The tower file's content.
+    /// The content of the tower file.
     pub tower: TowerFile,
     /// The places of the coefficients in the tower file.
     pub coefficient_spans: CoefficientSpans,
     /// The tower file.
     pub tower_source: Source,
-    /// Mass of each blade and its moments.
+    /// Mass and moments of each blade.
     pub blades: Vec<BladeMasses>,
     /// Everything above the tower top as one body.
     pub rna: RigidBody,
@@ -154,7 +154,7 @@ impl Model {
         })
     }
 
-    /// Everything above the tower top as one body, if it is wanted.
+    /// Everything above the tower top as one body; without mass if the options omit it.
     fn rna(&self, options: &ReadOptions) -> Result<RigidBody, ReadError> {
         if options.without_rna {
             return Ok(RigidBody::default());
@@ -223,7 +223,7 @@ impl Model {
         .with_turbine(self.turbine(options))
     }
 
-    /// The note on weight and buoyancy of a turbine under water that stands on its foundation.
+    /// The note on weight and buoyancy of a turbine under water with a fixed foundation.
     fn under_water(&self) -> Option<Note> {
         let below = &self.below.foundation;
         let frame_floats = below.frame().is_some_and(|own| own.restoring.is_some());
@@ -233,7 +233,7 @@ impl Model {
         fst::under_water(fst)
     }
 
-    /// The turbine, if the rotor-nacelle assembly is wanted.
+    /// The turbine, unless the options omit the rotor-nacelle assembly.
     fn turbine(&self, options: &ReadOptions) -> TurbineReading {
         if options.without_rna {
             return TurbineReading::default();
@@ -255,12 +255,12 @@ impl Model {
         turbine
     }
 
-    /// Whether the blades are those of BeamDyn, without blade files of ElastoDyn.
+    /// Whether the blades are described only by BeamDyn, without blade files of ElastoDyn.
     fn has_no_blades(&self, options: &ReadOptions) -> bool {
         !options.without_rna && self.blades.files.is_empty() && self.found.beamdyn_note.is_some()
     }
 
-    /// The note on blades that no file of ElastoDyn has.
+    /// The note on blades without a file of ElastoDyn.
     fn no_blades(&self) -> Note {
         let message = "CompElast is 2 and BldFile(1) is not there: the blades are defined in BeamDyn, whose files are not read, so the rotor-nacelle assembly has no blades";
         let at = self.main.place(BLADES[0]).start;
@@ -293,7 +293,7 @@ impl Model {
         notes
     }
 
-    /// The note on a nacelle whose mass is probably in t.
+    /// The note on a nacelle whose mass is probably given in t.
     fn light_nacelle(&self, ends: Ends) -> Option<Note> {
         let (mass_kg, height_m) = (self.main.nacelle_mass_kg, ends.top_m - ends.base_m);
         let is_light = mass_kg > 0.0 && mass_kg < LIGHTEST_NACELLE_KG;
@@ -308,8 +308,8 @@ impl Model {
         })
     }
 
-    /// The parts that the model has and the tower lacks: those of the `.fst` file, and a platform
-    /// that moves where no substructure does.
+    /// The parts that the model has and the tower lacks: those of the `.fst` file, and a moving
+    /// platform if there is no substructure.
     fn missing_parts(&self) -> Vec<MissingPart> {
         let read = &self.below.parts;
         let fst = self.found.fst.as_ref();
@@ -322,8 +322,8 @@ impl Model {
         parts
     }
 
-    /// The `.fst` file if there is one, the main file, the tower file, the blade files, the file of
-    /// the controller if it is read.
+    /// The `.fst` file if there is one, the main file, the tower file, the blade files, the
+    /// controller file if it is read.
     fn sources(&self) -> Vec<Source> {
         let mut sources: Vec<Source> = self.found.fst.iter().cloned().collect();
         sources.extend([self.found.source.clone(), self.tower_source.clone()]);
@@ -383,7 +383,7 @@ fn refuse_parts(source: &Source) -> Result<(), ReadError> {
 /// The files that a main file names.
 struct Named<'a> {
     source: &'a Source,
-    /// The folder of the main file as seen from where the files are.
+    /// The folder of the main file, relative to the folder of the given file.
     folder: &'a str,
     files: &'a dyn FileResolver,
 }
@@ -404,7 +404,7 @@ impl Named<'_> {
 }
 
 impl Named<'_> {
-    /// Whether the file of the first blade is there.
+    /// Whether the file of the first blade exists.
     fn has_blades(&self, main: &MainFile) -> bool {
         let first = main.blade_files.first();
         first.is_some_and(|path| self.files.read(&beside(self.folder, path)).is_ok())
@@ -414,9 +414,9 @@ impl Named<'_> {
 /// The content of the blade files.
 #[derive(Default)]
 struct Blades {
-    /// The files without repetition.
+    /// The files, each once.
     sources: Vec<Source>,
-    /// Of each blade.
+    /// Mass and moments of each blade.
     masses: Vec<BladeMasses>,
     /// The content of each blade's file.
     files: Vec<BladeFile>,
@@ -440,7 +440,7 @@ fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
     Ok(blades)
 }
 
-/// The note on a foundation that is not in these files.
+/// The note on a foundation that is not described in these files.
 fn foundation_note(main: &MainFile, fst: Option<&Source>) -> Option<Note> {
     let moves = main.platform_dofs.contains(&true);
     let base_m = main.tower_base_m;

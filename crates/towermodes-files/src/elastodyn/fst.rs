@@ -17,14 +17,14 @@ use crate::source::Source;
 const GRAVITY: Record = record("Gravity", "acceleration of gravity, m/s2", NON_NEGATIVE);
 const ED_FILE: Record = record("EDFile", "name of the main file of ElastoDyn", Kind::Other);
 
-/// A main file of ElastoDyn, and how it was found.
+/// A main file of ElastoDyn, and the way in which it was found.
 #[derive(Debug)]
 pub(super) struct Main {
     /// The main file.
     pub(super) source: Source,
-    /// The `.fst` file that refers to it, if that was given.
+    /// The `.fst` file that refers to it, if this was given.
     pub(super) fst: Option<Source>,
-    /// The main file's folder as seen from the file that was given; empty if it is the same.
+    /// The folder of the main file, relative to the given file; empty if it is the same.
     pub(super) folder: String,
     /// Acceleration of gravity that the `.fst` file gives, m/s².
     pub(super) gravity_m_per_s2: Option<f64>,
@@ -91,7 +91,7 @@ fn ed_file(source: &Source) -> Result<Parameter<'_>, Diagnostic> {
 }
 
 /// The notes on modules that complete the model of ElastoDyn and are not among the parts that were
-/// read. The main file says whether a platform moves.
+/// read. The main file tells whether a platform moves.
 pub(super) fn notes(
     source: &Source,
     main: &MainFile,
@@ -114,7 +114,7 @@ pub(super) fn notes(
     notes
 }
 
-/// Refuses a model with several rotors (OpenFAST 5): its other towers are in files of their own.
+/// Refuses a model with several rotors (OpenFAST 5), whose other towers have separate files.
 fn check_rotors(source: &Source) -> Result<(), Diagnostic> {
     let Some((rotors, at)) = switch(source, "NRotors") else {
         return Ok(());
@@ -130,7 +130,7 @@ fn check_rotors(source: &Source) -> Result<(), Diagnostic> {
     Err(Diagnostic::new(at..end, kind).with_hint(hint))
 }
 
-/// The note that the turbine is in water, which acts on more than the platform.
+/// The note that the turbine is in water, which acts not only on the platform.
 fn in_current(source: &Source) -> Option<Note> {
     let (value, at) = switch(source, "MHK")?;
     (value > 0).then(|| {
@@ -141,8 +141,8 @@ fn in_current(source: &Source) -> Option<Note> {
     })
 }
 
-/// The note that a turbine under water that does not float has neither weight nor buoyancy here,
-/// if the turbine is in water.
+/// The note that weight and buoyancy of a fixed turbine under water are omitted, if the turbine is
+/// in water.
 pub(super) fn under_water(source: &Source) -> Option<Note> {
     let (value, at) = switch(source, "MHK").filter(|(value, _)| *value > 0)?;
     let message = format!(
@@ -151,7 +151,7 @@ pub(super) fn under_water(source: &Source) -> Option<Note> {
     Some(Note::approximation(message).at(source, at))
 }
 
-/// The note that the blades are not those of ElastoDyn.
+/// The note that the blades of the simulation are not those of ElastoDyn.
 fn beamdyn(source: &Source) -> Option<Note> {
     let (value, at) = switch(source, "CompElast")?;
     (value == 2).then(|| {
@@ -160,7 +160,7 @@ fn beamdyn(source: &Source) -> Option<Note> {
     })
 }
 
-/// The note that the blades of the turning turbine are not those of the simulation.
+/// The note that the blades of the turbine with rotating rotor are not those of the simulation.
 fn blades_of_beamdyn(source: &Source) -> Option<Note> {
     let (value, at) = switch(source, "CompElast")?;
     (value == 2).then(|| {
@@ -183,7 +183,7 @@ struct Module {
     other_programs: &'static [(i64, &'static str)],
 }
 
-/// Those whose files are not read.
+/// The modules whose files are not read.
 const MODULES: [Module; 6] = [
     Module {
         switch: "CompHydro",
@@ -247,7 +247,7 @@ pub(super) fn missing_parts(source: &Source, read: &[MissingPart]) -> Vec<Missin
     parts
 }
 
-/// The note that a module is left out, if it is switched on.
+/// The note that a module is omitted, if it is switched on.
 fn left_out(source: &Source, module: &Module, why: impl Fn() -> String) -> Option<Note> {
     let (value, at) = switch(source, module.switch)?;
     if value < 1 {
@@ -299,7 +299,7 @@ fn why_not_read(source: &Source, main: &MainFile, module: &Module, is_clamped: b
     format!(", {reason}")
 }
 
-/// Whether a switch is there and on.
+/// Whether a switch exists and is on.
 pub(super) fn is_on(source: &Source, name: &str) -> bool {
     matches!(switch(source, name), Some((1.., _)))
 }
@@ -327,9 +327,10 @@ pub(super) struct Gravity {
     pub(super) note: Option<Note>,
 }
 
-/// The gravity of a model: from the `.fst` file, as in OpenFAST since 3.0, or else from the main
-/// file, as before, or else the standard one with a note. A tower that hangs under water has
-/// none here. Files are given by their names, a `.fst` file with its value if it has one.
+/// The gravity of a model: from the `.fst` file, as in OpenFAST since 3.0, otherwise from the main
+/// file, as in earlier versions, otherwise standard gravity with a note. For a tower that hangs
+/// under water it is omitted. Files are given by their names, a `.fst` file with its value if it
+/// has one.
 pub(super) fn gravity(
     main: &MainFile,
     main_name: &str,

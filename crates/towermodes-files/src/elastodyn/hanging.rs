@@ -8,13 +8,14 @@ use towermodes::{FloatingPlatform, ReferredMatrix, RigidBody};
 use super::tower_input::description::upside_down;
 use crate::note::Note;
 
-/// How each component changes: translation along z and rotations about x and y change their sign.
+/// The sign of each component in the mirrored axes: translation along z and rotations about x and y
+/// are reversed.
 const SIGNS: [f64; 6] = [1.0, 1.0, -1.0, -1.0, -1.0, 1.0];
 
 /// A platform whose moorings are a matrix, mirrored in the plane z = 0.
 ///
-/// The tower that hangs has no gravity of its own, so the weight of the platform is a part of its
-/// hydrostatic stiffness here.
+/// A hanging tower is solved without gravity, so here the weight of the platform is included in its
+/// hydrostatic stiffness.
 pub(super) fn mirrored(platform: &FloatingPlatform, gravity_m_per_s2: f64) -> FloatingPlatform {
     let body = upside_down(&RigidBody {
         mass_kg: platform.mass_kg,
@@ -52,7 +53,7 @@ fn matrix(given: &SpatialMatrix) -> SpatialMatrix {
     std::array::from_fn(|i| std::array::from_fn(|j| SIGNS[i] * given[i][j] * SIGNS[j]))
 }
 
-/// The note on what the mirrored platform has.
+/// The note on the content of the mirrored platform.
 pub(super) fn note() -> Note {
     Note::approximation(
         "the platform above a hanging tower has the stiffness of its weight, its hydrostatics and its mooring lines at the reference position; the weights of tower and rotor-nacelle assembly minus their buoyancy are neglected in this stiffness",

@@ -1,4 +1,4 @@
-//! The tower of a tower file as ElastoDyn computes with it.
+//! The tower of a tower file in the model of ElastoDyn.
 
 use towermodes::Planes;
 use towermodes_analysis::elastodyn::{
@@ -9,7 +9,7 @@ use super::tower_input::tower_file::{ConcentratedMass, TowerFile, TowerRow};
 use crate::input::ModalValues;
 
 impl TowerFile {
-    /// The damping and the tuners of its modes.
+    /// The damping and the tuners of the modes.
     pub(super) fn modal_values(&self) -> ModalValues {
         ModalValues {
             damping_percent: Planes {
@@ -23,7 +23,7 @@ impl TowerFile {
         }
     }
 
-    /// Its modes.
+    /// The modes of the tower file.
     pub fn modes(&self) -> Planes<PlaneModes> {
         let [fa1, fa2, ss1, ss2] = self
             .coefficients
@@ -42,7 +42,7 @@ impl TowerFile {
         }
     }
 
-    /// The model of a flexible length (m) with a number of elements and a mass (kg) on top, without
+    /// The model for a flexible length (m), a number of elements and a mass (kg) on top, without
     /// gravity.
     pub fn model(
         &self,

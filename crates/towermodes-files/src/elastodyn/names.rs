@@ -1,9 +1,9 @@
-//! The names of parameters on the lines of ElastoDyn's files, after their values; and which file a
-//! text is by its names.
+//! The names of parameters on the lines of ElastoDyn's files, after their values; and the kind of a
+//! file according to its names.
 
 use crate::records::{Line, Lines};
 
-/// No name is longer than this.
+/// Largest length of a name.
 const LONGEST: usize = 40;
 
 /// A name without the differences between files: case, brackets, underscores.
@@ -18,12 +18,12 @@ fn letters(name: &str) -> impl Iterator<Item = u8> {
         .map(|letter| letter.to_ascii_lowercase())
 }
 
-/// Whether two names differ only as names of different files do.
+/// Whether two names are equal except for differences between files.
 fn is_same(a: &str, b: &str) -> bool {
     letters(a).eq(letters(b))
 }
 
-/// The name on a line: its second value. Titles of sections are not names.
+/// The name on a line: its second value. Section titles are not names.
 fn name_on<'a>(line: &Line<'a>) -> Option<&'a str> {
     if is_ruler(line) {
         return None;
@@ -42,39 +42,39 @@ pub(super) fn plain_name_on(line: &Line<'_>) -> Option<String> {
     name_on(line).map(plain)
 }
 
-/// The one of some names that a line has after its value.
+/// The name of this list that a line has after its value.
 pub(super) fn named<'k>(line: &Line<'_>, known: &[&'k str]) -> Option<&'k str> {
     let name = name_on(line)?;
     known.iter().copied().find(|known| is_same(known, name))
 }
 
-/// Whether a line is a ruler with the title of a section.
+/// Whether a line is a ruler with a section title.
 pub(super) fn is_ruler(line: &Line<'_>) -> bool {
     let text = line.text.trim_start();
     text.starts_with("---") || text.starts_with("===")
 }
 
-/// Names are among the first lines of every file.
+/// Number of lines of a file in which names are searched.
 const FIRST_LINES: usize = 400;
-/// The number of rows of a tower or blade file is among its first lines.
+/// Number of lines in which the number of rows of a tower or blade file is searched.
 const COUNT_LINES: usize = 12;
 
-/// Whether it is a main file of ElastoDyn, or of FAST 7, which is refused with a reason.
+/// Whether the text is a main file of ElastoDyn, or of FAST 7, which is refused with a reason.
 pub(crate) fn is_main_file(text: &str) -> bool {
     has_all(text, &["TwrFile", "NumBl", "TipRad"])
 }
 
-/// Whether it is a tower file of ElastoDyn or FAST 7.
+/// Whether the text is a tower file of ElastoDyn or FAST 7.
 pub(crate) fn is_tower_file(text: &str) -> bool {
     line_among(COUNT_LINES, text, "NTwInpSt").is_some()
 }
 
-/// Whether it is a blade file of ElastoDyn or FAST 7.
+/// Whether the text is a blade file of ElastoDyn or FAST 7.
 pub(super) fn is_blade_file(text: &str) -> bool {
     line_among(COUNT_LINES, text, "NBlInpSt").is_some()
 }
 
-/// Whether it is the `.fst` file that names the files of all modules of OpenFAST.
+/// Whether the text is the `.fst` file, which names the files of all modules of OpenFAST.
 pub(crate) fn is_fst(text: &str) -> bool {
     has_all(text, &["EDFile"])
 }

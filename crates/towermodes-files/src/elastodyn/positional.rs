@@ -22,8 +22,8 @@ impl<'a> Positional<'a> {
         Self { lines, known }
     }
 
-    /// The two free lines at the beginning of a file. Files of FAST 7 begin with one more, a ruler:
-    /// there the heading and the first parameter, whose name shows it, come a line later.
+    /// The two free lines at the beginning of a file. Files of FAST 7 begin with one more line, a
+    /// ruler: then the heading and the first parameter, recognized by its name, are one line later.
     pub(super) fn header(&mut self, first: &Record) -> Result<[String; 2], Diagnostic> {
         let is_first = |line: Line<'a>| is_named(&line, first.name);
         if self.lines.clone().nth(4).is_some_and(is_first) {
@@ -34,7 +34,7 @@ impl<'a> Positional<'a> {
         Ok([first, second].map(|line| line.text.to_owned()))
     }
 
-    /// The next line without reading past it.
+    /// The next line, which is not consumed.
     pub(super) fn peek(&self) -> Option<Line<'a>> {
         self.lines.peek()
     }
@@ -69,8 +69,8 @@ impl<'a> Positional<'a> {
         }
     }
 
-    /// The line of a parameter, whose value comes first. A line with the name of another parameter
-    /// is a mistake.
+    /// The line of a parameter, which begins with its value. A line with the name of another
+    /// parameter is a mistake.
     pub(super) fn parameter(&mut self, record: &Record) -> Result<Parameter<'a>, Diagnostic> {
         let line = self.lines.expect_filled(&record.label())?;
         check_no_comment(&line, &record.label())?;
@@ -80,7 +80,7 @@ impl<'a> Positional<'a> {
         }
     }
 
-    /// The same where the name on the line is not checked.
+    /// The line of a parameter whose name is not checked.
     pub(super) fn unnamed_parameter(
         &mut self,
         record: &Record,
@@ -90,7 +90,7 @@ impl<'a> Positional<'a> {
         Parameter::of(&line, record)
     }
 
-    /// The next row of a table, of which `so_far` of `count` rows are read.
+    /// The next row of a table, of which `so_far` of `count` rows have been read.
     pub(super) fn row(
         &mut self,
         table: &str,
@@ -133,7 +133,7 @@ pub(super) fn check_no_comment(line: &Line<'_>, expected: &str) -> Result<(), Di
     Err(Diagnostic::new(start..start + text.trim_end().len(), kind).with_hint(hint))
 }
 
-/// The mistake of a line with the name of another parameter than expected.
+/// The mistake of a line with the name of another parameter than the expected one.
 pub(super) fn misplaced(line: &Line<'_>, expected: &str, found: &str) -> Diagnostic {
     let span = line.tokens().nth(1).map_or(line.span(), |token| token.span);
     Diagnostic::new(span, DiagnosticKind::misplaced(expected, found))

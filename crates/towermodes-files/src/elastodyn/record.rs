@@ -1,10 +1,10 @@
 //! A parameter of a file: its name, meaning and range.
 
-/// More rows than this are refused: real tables have tens, and a hostile file must not fill the
+/// Largest number of rows: real tables have tens of rows, and a malicious file must not use up the
 /// memory.
 pub(super) const MAX_ROWS: usize = 100_000;
 
-/// A parameter of a file: the row of the tables that reading, writing and messages go by.
+/// A parameter of a file: a row of the tables that are used for reading, writing and messages.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Record {
     /// Its name on the line.
@@ -21,7 +21,7 @@ pub(super) enum Kind {
     Other,
     /// A whole number from this one to [`MAX_ROWS`].
     Count(usize),
-    /// A number in a range, and the range in words.
+    /// A number in a range, and the range as text.
     Number(fn(f64) -> bool, &'static str),
 }
 
@@ -50,7 +50,7 @@ pub(super) const fn record(name: &'static str, meaning: &'static str, kind: Kind
 }
 
 impl Record {
-    /// Whether a number is in its range, and the range.
+    /// Whether a number is in the range, and the range as text.
     pub(super) fn check(&self, value: f64) -> (bool, &'static str) {
         match self.kind {
             Kind::Number(is_met, rule) => (is_met(value), rule),

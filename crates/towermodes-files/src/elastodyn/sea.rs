@@ -1,4 +1,4 @@
-//! Density, depth and level of the water of a model, which several files give.
+//! Density, depth and level of the water of a model, which are given in several files.
 
 use crate::diagnostic::line_and_column;
 use crate::error::ReadError;
@@ -21,7 +21,7 @@ impl Sea {
         self.files.push(file);
     }
 
-    /// The values of the files added so far: the defaults of the next file.
+    /// The values of the files added so far, which are the defaults for the next file.
     pub(super) fn defaults(&self) -> Result<WaterDefaults, ReadError> {
         let Some((fst, others)) = self.files.split_first() else {
             return Ok(WaterDefaults::default());
@@ -67,7 +67,7 @@ impl Sea {
     }
 }
 
-/// A file and the line of one of its bytes.
+/// The text for a place: the file and the line of one of its bytes.
 pub(super) fn place(file: &Source, byte: usize) -> String {
     let (line, _) = line_and_column(&file.text, byte);
     format!("{}:{line}", file.name)

@@ -1,4 +1,4 @@
-//! A tower from a tower file of ElastoDyn alone, which contains everything but the heights of its
+//! A tower from a single ElastoDyn tower file, which contains everything except the heights of its
 //! ends.
 
 use super::tower_input::description::{
@@ -14,13 +14,13 @@ use crate::source::Source;
 const HINT: &str =
     "give the main file that refers to it, or --tower-height (and --tower-base if that is not 0)";
 
-/// A tower, clamped and without a rotor-nacelle assembly, from a tower file of ElastoDyn alone.
+/// A tower, clamped and without a rotor-nacelle assembly, from a single ElastoDyn tower file.
 ///
 /// The heights of its ends are options, or are taken from a header line of the form
 /// `TowerHt = 87.6 m, TowerBsHt = 0 m`.
 ///
 /// # Errors
-/// The first mistake in the file, or that the height of the tower is not known.
+/// The first mistake in the file, or that the height of the tower is unknown.
 pub fn read_elastodyn_tower(
     source: Source,
     options: &ReadOptions,
@@ -49,7 +49,7 @@ pub fn read_elastodyn_tower(
     Ok(input)
 }
 
-/// The heights of the ends, from the options first, and whether the tower hangs.
+/// The heights of the ends, from the options if given, and whether the tower hangs.
 fn ends(header: &[String; 2], options: &ReadOptions) -> Result<(Ends, bool), Diagnostic> {
     let given = |name| header.iter().rev().find_map(|line| value_after(line, name));
     let Some(top_m) = options.tower_height_m.or_else(|| given("TowerHt")) else {
@@ -81,7 +81,7 @@ fn value_after(line: &str, name: &str) -> Option<f64> {
     number.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// A header line without the heights at its end, which do not belong to the title.
+/// A header line without the heights at its end, which are not part of the title.
 fn without_heights(line: &str) -> &str {
     match line.rsplit_once("TowerHt =") {
         Some((what, heights)) if heights.contains("TowerBsHt =") => {

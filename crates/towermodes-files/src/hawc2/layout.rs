@@ -6,7 +6,7 @@ use std::ops::Range;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Lines, Token};
 
-/// More subsets than this are refused: real files have a handful.
+/// Largest number of subsets: real files have only a few.
 const MAX_SUBSETS: usize = 1000;
 
 /// A set: the lines after a line `#1 name`.
@@ -23,11 +23,11 @@ pub(super) struct Set<'a> {
 /// A subset: a line `$1 20 name` and the rows after it.
 #[derive(Debug)]
 pub(super) struct Subset<'a> {
-    /// The number of the set it is in.
+    /// The number of its set.
     pub(super) set: usize,
-    /// Its own number.
+    /// Its number.
     pub(super) number: usize,
-    /// The number of rows that its line announces; no memory may be allocated by it.
+    /// The number of rows that its line announces; memory must not be allocated according to it.
     pub(super) announced: usize,
     /// The rest of its line.
     pub(super) name: &'a str,
@@ -103,7 +103,7 @@ impl<'a> Layout<'a> {
         })
     }
 
-    /// The requested (set, subset), or else the first.
+    /// The requested (set, subset), otherwise the first.
     pub(super) fn choose(
         &self,
         requested: Option<(usize, usize)>,

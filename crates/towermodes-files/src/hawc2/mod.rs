@@ -1,8 +1,9 @@
 //! The structural files of HAWC2, `…_st.dat`: tables of section properties along a body.
 //!
-//! `#1 name` begins a set, `$1 20 name` a subset of 20 rows of 19 columns, which follow at once;
-//! lines before a `$` are free text. Format and meaning of the columns: *How 2 HAWC2, the user's
-//! manual* (DTU), "Format definition of the structural data file", and the class `StFile` of wetb.
+//! `#1 name` begins a set, `$1 20 name` a subset of 20 rows of 19 columns, which follow
+//! immediately; lines before a `$` are free text. Format and meaning of the columns: *How 2 HAWC2,
+//! the user's manual* (DTU), "Format definition of the structural data file", and the class
+//! `StFile` of wetb.
 //!
 //! HAWC2's y axis is downwind, x lies sideways and z points down. A tower is modelled in these
 //! axes, so I_x, about the sideways axis, resists fore-aft bending; a fore-aft force acts along y,
@@ -24,11 +25,11 @@ use crate::source::Source;
 use layout::Layout;
 use row::Row;
 
-/// Reads a tower from a structural file of HAWC2: the first subset of the first set, or that of
+/// Reads a tower from a structural file of HAWC2: the first subset of the first set, or the subset
 /// [`ReadOptions::hawc2_subset`].
 ///
-/// r runs from the tower's base, which is at [`ReadOptions::tower_base_m`]; the base is clamped,
-/// and there is no RNA.
+/// r is measured from the tower base, which is at [`ReadOptions::tower_base_m`]; the base is
+/// clamped, and there is no RNA.
 ///
 /// # Errors
 /// [`ReadError::Mistakes`].
@@ -64,7 +65,7 @@ fn read(source: &Source, options: &ReadOptions) -> Result<TowerInput, Vec<Diagno
     Ok(input)
 }
 
-/// Remembers the places of the rows for the checks of the whole tower.
+/// Stores the places of the rows for the checks of the whole tower.
 fn remember(input: &mut TowerInput, rows: &[Row<'_>], subset: std::ops::Range<usize>) {
     input.places.remember(Place::Stations, 0, subset);
     for (index, row) in rows.iter().enumerate() {
@@ -82,9 +83,9 @@ fn not_hawc2() -> Diagnostic {
     )
 }
 
-/// Whether a text is a structural file of HAWC2: a line `#1 …` and then a line `$1 20 …`; of a file
-/// called `…_st.dat` the first is enough, so that the error of a truncated file names the missing
-/// part.
+/// Whether a text is a structural file of HAWC2: a line `#1 …` and then a line `$1 20 …`; if the
+/// file is called `…_st.dat`, the first line is enough, so that the error for a truncated file
+/// names the missing part.
 pub(crate) fn is_hawc2(text: &str, name: &str) -> bool {
     let (sets, subsets) = layout::headers(text);
     let lower = name.to_ascii_lowercase();

@@ -10,9 +10,10 @@ use crate::number::Rounded;
 use crate::records::Lines;
 use crate::source::Source;
 
-/// No material is stiffer than this, Pa: a larger modulus makes a body rigid on purpose.
+/// A modulus above this value, Pa, is larger than that of any material and means that the body is
+/// intended to be rigid.
 const STIFFEST_PA: f64 = 1e13;
-/// Of more subsets than these the rest is only counted.
+/// Largest number of subsets that are listed; the others are only counted.
 const LISTED: usize = 8;
 
 /// All notes on a file that was read.
@@ -56,7 +57,7 @@ fn unread(subset: &Subset<'_>, count: usize) -> String {
     )
 }
 
-/// The subset that was read, and the others.
+/// The text on the subset that was read, and on the others.
 fn which(layout: &Layout<'_>, taken: &Subset<'_>) -> String {
     let is_other = |subset: &&Subset<'_>| subset.span != taken.span;
     let others = layout.subsets.iter().filter(is_other);
@@ -92,7 +93,7 @@ fn first_row(mut lines: Lines<'_>) -> Option<Row<'_>> {
     Row::parse(lines.find(|line| !line.is_blank())?).ok()
 }
 
-/// The note on a body that is rigid on purpose.
+/// The note on a body that is intended to be rigid.
 fn rigid(rows: &[Row<'_>]) -> Option<String> {
     let largest = |column: usize| rows.iter().map(|row| row.of(column)).fold(0.0, f64::max);
     let (e, g) = (largest(row::YOUNG), largest(row::SHEAR_MODULUS));
@@ -113,7 +114,7 @@ fn shear(shears: bool) -> String {
     }
 }
 
-/// Offsets and turned axes, with the row they are in.
+/// The notes on offsets and rotated axes, with their rows.
 fn left_out(rows: &[Row<'_>], found: &Found) -> Vec<(usize, String)> {
     let mut notes = Vec::new();
     if let Some((index, column, fraction)) = found.offset {
@@ -149,7 +150,7 @@ fn direction(rows: &[Row<'_>]) -> Option<String> {
     })
 }
 
-/// The heights of the tower, which the file does not contain.
+/// The text on the heights of the tower, which the file does not contain.
 fn ends(rows: &[Row<'_>], options: &ReadOptions) -> String {
     let base_m = options.tower_base_m.unwrap_or(0.0);
     let of = |row: Option<&Row<'_>>| base_m + row.map_or(0.0, |row| row.of(row::R));

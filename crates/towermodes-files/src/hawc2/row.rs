@@ -107,7 +107,7 @@ impl<'a> Row<'a> {
         columns.map(|column| self.values[column])
     }
 
-    /// The bytes of the file that a column takes.
+    /// The byte range of a column in the file.
     pub(super) fn span(&self, column: usize) -> Range<usize> {
         let token = self.line.tokens().nth(column);
         token.map_or_else(|| self.line.span(), |token| token.span)
@@ -131,7 +131,7 @@ pub(super) fn is_full_matrix(line: &Line<'_>) -> bool {
     numbers.take(FULL_MATRIX_COLUMNS).count() == FULL_MATRIX_COLUMNS
 }
 
-/// The mistake of such a line: only the layout with 19 columns is read.
+/// The mistake of a line with a full matrix: only the layout with 19 columns is read.
 pub(super) fn full_matrix(line: &Line<'_>) -> Diagnostic {
     let found = line.tokens().take_while(Token::is_number).count();
     let kind = DiagnosticKind::Unsupported(format!(

@@ -1,4 +1,4 @@
-//! The rows of a HAWC2 subset: as many as announced, rising along the body.
+//! The rows of a HAWC2 subset: as many as announced, with increasing r.
 
 use super::layout::Subset;
 use super::row::{self, Row};
@@ -11,9 +11,10 @@ const MAX_MISTAKES: usize = 20;
 /// The rows of a subset.
 #[derive(Debug)]
 pub(super) struct Table<'a> {
-    /// Those announced.
+    /// The announced rows.
     pub(super) rows: Vec<Row<'a>>,
-    /// The first row after those announced, which HAWC2 does not read, and how many there are.
+    /// The first row after the announced ones, which HAWC2 does not read, and the number of such
+    /// rows.
     pub(super) unread: Option<(Line<'a>, usize)>,
 }
 
@@ -53,7 +54,7 @@ pub(super) fn read_rows<'a>(subset: &Subset<'a>) -> Result<Table<'a>, Vec<Diagno
     Ok(Table { rows, unread })
 }
 
-/// The first row of these lines, and how many there are.
+/// The first row in these lines, and the number of rows.
 fn unread(mut lines: Lines<'_>) -> Option<(Line<'_>, usize)> {
     let first = next_row(&mut lines).filter(row::begins_with_number)?;
     let others = std::iter::from_fn(|| next_row(&mut lines));
@@ -63,7 +64,7 @@ fn unread(mut lines: Lines<'_>) -> Option<(Line<'_>, usize)> {
     ))
 }
 
-/// The next line that is not blank; none where a set or subset begins.
+/// The next line that is not blank; none if a set or subset begins there.
 fn next_row<'a>(lines: &mut Lines<'a>) -> Option<Line<'a>> {
     while let Some(line) = lines.peek() {
         if line.text.trim_start().starts_with(['#', '$']) {
@@ -77,7 +78,7 @@ fn next_row<'a>(lines: &mut Lines<'a>) -> Option<Line<'a>> {
     None
 }
 
-/// Whether a value is text, as the names of columns are.
+/// Whether a value is text, for example the name of a column.
 fn is_word(token: &Token<'_>) -> bool {
     !token.is_number() && token.text.starts_with(char::is_alphabetic)
 }
@@ -102,7 +103,7 @@ fn too_few_rows(subset: &Subset<'_>, lines: &Lines<'_>, found: usize) -> Diagnos
     Diagnostic::new(subset.span.clone(), kind).with_hint(hint)
 }
 
-/// The first place where r decreases.
+/// The mistake at the first row where r decreases.
 fn falling(rows: &[Row<'_>]) -> Option<Diagnostic> {
     let pair = rows
         .windows(2)

@@ -5,13 +5,13 @@ use towermodes::{Planes, Properties, PropertyStation};
 use super::row::{self, Row};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// An offset of more than this fraction of the tube's radius is refused: it couples bending with
-/// torsion.
+/// A larger offset than this fraction of the tube's radius is refused, because it couples bending
+/// with torsion.
 const LARGEST_OFFSET: f64 = 0.05;
-/// Turned principal axes are refused where they couple the planes by more than this fraction of EI.
+/// Rotated principal axes are refused if they couple the planes by more than this fraction of EI.
 const LARGEST_COUPLING: f64 = 0.01;
 
-/// Properties of the rows that the sections do not show, for the notes.
+/// Properties of the rows that are not in the sections, for the notes.
 #[derive(Debug, Default)]
 pub(super) struct Found {
     /// Whether the rows have shear factors.
@@ -20,11 +20,11 @@ pub(super) struct Found {
     pub(super) has_gyration: bool,
     /// The largest offset: row, column, fraction of the tube's radius.
     pub(super) offset: Option<(usize, usize, f64)>,
-    /// The first row whose axes are turned.
+    /// The first row with rotated axes.
     pub(super) turned: Option<usize>,
 }
 
-/// The sections at their heights, and the properties that are left out of them.
+/// The sections at their heights, and the properties that they do not contain.
 pub(super) fn sections(
     rows: &[Row<'_>],
     base_m: f64,
@@ -49,7 +49,7 @@ pub(super) fn sections(
     Ok((stations, found))
 }
 
-/// Shear factors and radii of gyration are positive in all rows or in none.
+/// Checks that shear factors and radii of gyration are positive in all rows or in none.
 fn same_kind(row: &Row<'_>, found: &Found) -> Result<(), Diagnostic> {
     let kinds = [
         (row::SHEAR_FACTOR, found.shears, "shear factors"),
@@ -70,7 +70,8 @@ fn same_kind(row: &Row<'_>, found: &Found) -> Result<(), Diagnostic> {
     Ok(())
 }
 
-/// All centres lie on one axis and the principal axes are fore-aft and side-side, nearly enough.
+/// Checks that all centres are on one axis and the principal axes are fore-aft and side-side,
+/// within tolerances.
 fn axis(index: usize, row: &Row<'_>, found: &mut Found) -> Result<(), Diagnostic> {
     let [i_x, i_y] = row.pair(row::SECOND_MOMENT);
     // A thin tube of radius R has I/A = R²/2.
@@ -172,7 +173,8 @@ fn properties(row: &Row<'_>, found: &Found) -> Result<Properties, Diagnostic> {
     Ok(properties)
 }
 
-/// A product of values that each are possible may be too large or too small for a number.
+/// Checks that products of values, each of which is possible, are neither too large nor too small
+/// for a number.
 fn check_range(row: &Row<'_>, p: &Properties, has_gyration: bool) -> Result<(), Diagnostic> {
     let mut products = vec![
         ("E I_x, the bending stiffness", p.bending_n_m2.fore_aft),

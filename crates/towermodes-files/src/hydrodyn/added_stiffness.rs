@@ -1,4 +1,4 @@
-//! AddCLin and AddF0: the stiffness and force that a user adds at the origin.
+//! AddCLin and AddF0: additional stiffness and force at the origin, given by the user.
 
 use towermodes::space::SpatialMatrix;
 
@@ -17,7 +17,8 @@ pub(super) struct Added {
     pub(super) notes: Vec<Note>,
 }
 
-/// Reads both. Files of all versions have them; a line whose numbers are damaged has no name.
+/// Reads AddCLin and AddF0, which files of all versions contain; a line with a damaged number is
+/// not recognized by its name.
 pub(super) fn read(values: &Values<'_>, source: &Source) -> Result<Added, Diagnostic> {
     let mut notes = Vec::new();
     let line = expect(values, "AddCLin", "six rows of six numbers")?;
@@ -34,13 +35,13 @@ pub(super) fn read(values: &Values<'_>, source: &Source) -> Result<Added, Diagno
 fn expect<'a>(values: &Values<'a>, name: &str, content: &str) -> Result<Line<'a>, Diagnostic> {
     let missing = || {
         let kind = DiagnosticKind::missing_key("the HydroDyn file", name);
-        let hint = format!("it has {content}, the first line with this name after the values");
+        let hint = format!("{name} has {content}; the name follows the values of its first line");
         Diagnostic::new(0..0, kind).with_hint(hint)
     };
     values.line(name).ok_or_else(missing)
 }
 
-/// The lines from one on.
+/// The lines beginning with a given one.
 fn from<'a>(text: &'a str, line: &Line<'a>) -> impl Iterator<Item = Line<'a>> {
     let start = line.start;
     Lines::new(text).skip_while(move |line| line.start < start)

@@ -1,5 +1,5 @@
-//! The restoring stiffness of a floating frame: the rigid platform of the same masses, and its
-//! water planes on the joints near them.
+//! The restoring stiffness of a floating frame: that of the rigid platform with the same masses;
+//! its water planes act on the joints near them.
 
 use towermodes::frame::{FrameFoundation, Restoring};
 use towermodes::space::SpatialMatrix;
@@ -12,7 +12,7 @@ use super::water_plane;
 use crate::note::Note;
 
 impl HydrodynInput {
-    /// The restoring stiffness of a floating frame in this water, under gravity (m/s²), without
+    /// The restoring stiffness of a floating frame in this water, with gravity (m/s²), without
     /// moorings. `structure` is the mass of the frame without water, and its centre.
     pub(crate) fn restoring(
         &self,
@@ -41,7 +41,7 @@ impl HydrodynInput {
         (restoring, notes)
     }
 
-    /// The water plane of each strip member: its point, and its stiffness for the origin.
+    /// The water plane of each strip member: its point, and its stiffness matrix about the origin.
     fn water_planes(&self, gravity_m_per_s2: f64) -> Vec<(Vector, SpatialMatrix)> {
         if self.is_static {
             return Vec::new();

@@ -1,19 +1,18 @@
-//! The axes of the beams of a frame: which strip members lie on them, and which beam is nearest to
-//! a point.
+//! The axes of the beams of a frame: the strip members on them, and the beam nearest to a point.
 
 use towermodes::frame::{FrameDescription, MemberKind};
 
 use super::spatial::{Vector, between, difference, dot, norm};
 use super::strip::StripMember;
 
-/// A strip member lies on a beam if both axes are nearer than this, m: coordinates in files have
-/// three digits or more.
+/// A strip member lies on a beam if the distance of both axes is smaller than this, m: coordinates
+/// in files have at least three decimals.
 const TOLERANCE_M: f64 = 1e-3;
 
 /// A beam of a frame.
 #[derive(Debug, Clone)]
 pub(super) struct Beam {
-    /// The member of the frame.
+    /// The index of the member of the frame.
     pub(super) member: usize,
     ends_m: [Vector; 2],
 }
@@ -21,16 +20,16 @@ pub(super) struct Beam {
 /// The part of a strip member that lies on a beam.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lying {
-    /// The member of the frame.
+    /// The index of the member of the frame.
     pub(super) member: usize,
-    /// The part, as fractions of the strip member.
+    /// The part, as fractions of the length of the strip member.
     pub(super) range: [f64; 2],
-    /// The fractions of the beam at both ends of the part.
+    /// The positions of both ends of the part, as fractions of the length of the beam.
     pub(super) on_beam: [f64; 2],
 }
 
 impl Lying {
-    /// The fraction of the beam at a fraction of the strip member.
+    /// The fraction of the beam's length at a fraction of the strip member's length.
     pub(super) fn beam_fraction(&self, fraction: f64) -> f64 {
         let [from, to] = self.range;
         let [first, last] = self.on_beam;
@@ -44,7 +43,7 @@ pub(super) fn of(frame: &FrameDescription) -> Vec<Beam> {
     axes(frame, |kind| matches!(kind, MemberKind::Beam { .. }))
 }
 
-/// The members of a frame, each with its axis as that of a beam.
+/// All members of a frame, each with its axis like a beam.
 pub(super) fn all(frame: &FrameDescription) -> Vec<Beam> {
     axes(frame, |_| true)
 }
@@ -63,7 +62,7 @@ fn axes(frame: &FrameDescription, is_wanted: impl Fn(&MemberKind) -> bool) -> Ve
     axes.collect()
 }
 
-/// The parts of a strip member that lie on beams, rising; no part lies on two.
+/// The parts of a strip member that lie on beams, in increasing order; no part lies on two beams.
 pub(super) fn lying(strip: &StripMember, beams: &[Beam]) -> Vec<Lying> {
     let mut found: Vec<Lying> = beams.iter().filter_map(|beam| beam.under(strip)).collect();
     found.sort_by(|a, b| a.range[0].total_cmp(&b.range[0]));
@@ -84,7 +83,7 @@ pub(super) fn lying(strip: &StripMember, beams: &[Beam]) -> Vec<Lying> {
     parts
 }
 
-/// The beam nearest to a point, and the fraction of its nearest point with that point.
+/// The beam nearest to a point, the fraction of its length at its nearest point, and this point.
 pub(super) fn nearest(point_m: Vector, beams: &[Beam]) -> Option<(usize, f64, Vector)> {
     let distances = beams.iter().map(|beam| {
         let fraction = beam.fraction_next_to(point_m).clamp(0.0, 1.0);

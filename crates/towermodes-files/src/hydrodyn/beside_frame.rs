@@ -17,9 +17,9 @@ const APART_M: f64 = 3.0;
 /// A strip member on a tube of the frame with another diameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct OtherDiameter {
-    /// The strip member, from 0.
+    /// The index of the strip member, from 0.
     pub(crate) strip: usize,
-    /// The member of the frame.
+    /// The index of the member of the frame.
     pub(crate) member: usize,
     /// Height of the place, m.
     pub(crate) z_m: f64,
@@ -32,9 +32,9 @@ pub(crate) struct OtherDiameter {
 /// A strip member far from all members of the frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FarAway {
-    /// The strip member, from 0.
+    /// The index of the strip member, from 0.
     pub(crate) strip: usize,
-    /// The nearest member of the frame.
+    /// The index of the nearest member of the frame.
     pub(crate) member: usize,
     /// The largest distance of a point of the strip member, m.
     pub(crate) distance_m: f64,
@@ -102,8 +102,8 @@ fn middle(stretch: &Stretch, part: &Lying) -> Option<f64> {
 }
 
 impl Stretch {
-    /// The outer radius at a fraction of the member, m; of a rectangle that of the circle of its
-    /// area.
+    /// The outer radius at a fraction of the member's length, m; for a rectangle the radius of the
+    /// circle of the same area.
     fn radius_at(&self, at: f64) -> f64 {
         let [from, to] = self.range;
         self.section.outer((at - from) / (to - from)).radius_m()

@@ -6,7 +6,7 @@ use super::section::{StripSection, blend};
 use super::strip::Stretch;
 
 impl Stretch {
-    /// Whether something moves with it.
+    /// Whether the stretch has added mass, growth or filling.
     pub(super) fn moves(&self) -> bool {
         let added = self
             .added_mass
@@ -14,7 +14,7 @@ impl Stretch {
         added || self.growth.is_some() || self.fill_density_kg_per_m3 > 0.0
     }
 
-    /// The coats of the part between two fractions of it, if it is circular.
+    /// The coats of the part between two fractions of the stretch, if its section is circular.
     pub(super) fn coats(&self, part: [f64; 2], density_kg_per_m3: f64) -> Vec<CoatKind> {
         let StripSection::Circle {
             outer_radius_m,
@@ -52,7 +52,7 @@ impl Stretch {
     }
 }
 
-/// The same coat in the other direction.
+/// The coat with reversed direction.
 pub(super) fn reversed(coat: CoatKind) -> CoatKind {
     let turned = |[from, to]: [f64; 2]| [to, from];
     match coat {

@@ -1,5 +1,5 @@
-//! The coefficients of added mass, by one of three models: the same everywhere, by depth, by
-//! member; circles and rectangles have tables of their own.
+//! The coefficients of added mass, by one of three models: constant, by depth, by member; circles
+//! and rectangles have separate tables.
 
 use std::collections::HashMap;
 
@@ -10,17 +10,17 @@ use super::tables::{Row, Table};
 use super::values::Values;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// Along x, along y and along the axis, each without and with growth.
+/// Six coefficients: along x, along y and along the axis, each without and with growth.
 type Six = [f64; 6];
 
-/// The names by which the tables of one form are found.
+/// The names by which the tables for one form of section are found.
 struct Names {
-    /// The column that only its table of simple coefficients has.
+    /// The column that only the table of simple coefficients has.
     simple: &'static str,
-    /// The number of rows by depth, and by member.
+    /// The names of the numbers of rows of the tables by depth, and by member.
     depths: &'static [&'static str],
     members: &'static [&'static str],
-    /// The column of each coefficient without prefix: `Ca` in `SimplCa` and `MemberCa1`.
+    /// The column name of each coefficient without prefix: `Ca` in `SimplCa` and `MemberCa1`.
     suffixes: [&'static str; 6],
 }
 
@@ -31,7 +31,8 @@ const CIRCLES: Names = Names {
     suffixes: ["Ca", "CaMG", "Ca", "CaMG", "AxCa", "AxCaMG"],
 };
 
-/// The coefficients of a rectangle are named by the side that is across the motion: B along x.
+/// The coefficients of a rectangle are named after the side normal to the motion: B for motion
+/// along x.
 const RECTANGLES: Names = Names {
     simple: "SimplCaB",
     depths: &["NCoefDpthRec"],
@@ -46,7 +47,7 @@ pub(super) struct Coefficients {
     rectangles: OfForm,
 }
 
-/// The coefficients of members of one form.
+/// The coefficients of members with one form of section.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OfForm {
     simple: Option<Six>,
@@ -59,9 +60,9 @@ pub(super) struct OfForm {
 pub(super) enum Model {
     /// Equal coefficients for all members and depths.
     Simple(Six),
-    /// By depth.
+    /// Coefficients by depth.
     Depth,
-    /// Linear between the ends of the member.
+    /// Coefficients linear between the ends of the member.
     Member([Six; 2]),
 }
 
@@ -120,7 +121,7 @@ impl OfForm {
         self.by_depth.heights_m()
     }
 
-    /// The model of a member by MCoefMod.
+    /// The model of a member according to MCoefMod.
     pub(super) fn model(&self, members: &Table<'_>, row: &Row<'_>) -> Result<Model, Diagnostic> {
         let column = members.column(&["MCoefMod"])?;
         let id = row.integer(0, "MemberID")?;
@@ -144,7 +145,8 @@ impl OfForm {
         }
     }
 
-    /// Along x, along y and along the axis, at a height and a fraction of the member.
+    /// The coefficients along x, along y and along the axis, at a height and a fraction of the
+    /// member's length.
     pub(super) fn at(
         &self,
         model: &Model,

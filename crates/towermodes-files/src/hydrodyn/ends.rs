@@ -1,10 +1,10 @@
 //! The ends of strip members: added mass along the axis and growth on the surface.
 //!
-//! Source: HydroDyn Theory Manual (2024), lumped loads at joints: V = Σ ±(2/3) π R³ k and
-//! A = Σ ±π R² k over the members of a joint, outward, with R on the growth; the added mass is
-//! Cₓ ρ V Vᵀ/|V| and the growth ρ t |A|. A rectangle counts as the circle of its area,
-//! R = √(a b/π). The volume of growth in the summary file of HydroDyn is that of the members
-//! without these ends.
+//! Source: HydroDyn Theory Manual (2024), lumped loads at joints: V = Σ ±(2/3) π R³ k and A = Σ ±π
+//! R² k over the members of a joint, with outward axes k and the radius R including growth; the
+//! added mass is Cₓ ρ V Vᵀ/|V| and the mass of growth ρ t |A|. A rectangle is replaced by the
+//! circle of the same area, R = √(a b/π). The volume of growth in the summary file of HydroDyn is
+//! that of the members without these ends.
 
 use std::f64::consts::PI;
 
@@ -35,10 +35,11 @@ pub(super) struct Joint {
     pub(super) axial: f64,
 }
 
-/// Below this share of a single member, the members of a joint cancel.
+/// If the sum is below this share of a single member, the members of a joint cancel.
 const CANCELS: f64 = 1e-9;
 
-/// The joints in the water whose members do not cancel; `joints_of` gives those of each member.
+/// The joints in the water whose members do not cancel; `joints_of` gives the joints of each
+/// member.
 pub(super) fn of(
     joints: &[Joint],
     members: &[StripMember],
@@ -102,7 +103,7 @@ impl Sums {
         })
     }
 
-    /// A vector sum along the outward axes; zero where it is a rounding error.
+    /// A vector sum along the outward axes; zero if it is a rounding error.
     fn sum(&self, size: impl Fn(Outline) -> f64) -> Vector {
         let mut sum = [0.0; 3];
         let mut largest = 0.0_f64;

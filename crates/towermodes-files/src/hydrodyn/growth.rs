@@ -1,4 +1,4 @@
-//! Marine growth: thickness and density between the depths of a table, nothing outside it.
+//! Marine growth: thickness and density between the depths of a table, no growth outside it.
 
 use super::profile::Profile;
 use super::strip::MarineGrowth;
@@ -6,7 +6,7 @@ use super::tables::Table;
 use super::values::Values;
 use crate::diagnostic::Diagnostic;
 
-/// No table of depths has more rows.
+/// Largest number of rows of a table of depths.
 pub(super) const MOST_DEPTHS: usize = 200;
 
 /// The growth on members: thickness (m) and density (kg/m³).
@@ -34,7 +34,7 @@ impl Growth {
         self.profile.heights_m()
     }
 
-    /// The growth between two heights inside one interval of the table, if there is some.
+    /// The growth between two heights within one interval of the table, if there is any.
     pub(super) fn between(&self, z_m: [f64; 2]) -> Option<MarineGrowth> {
         let middle_m = 0.5 * (z_m[0] + z_m[1]);
         if !self.profile.holds(middle_m) {

@@ -17,9 +17,9 @@ use crate::source::Source;
 pub struct HydrodynInput {
     /// The water.
     pub water: SeaWater,
-    /// The body whose water is that of a potential-flow solution (PotMod 1), if there is one.
+    /// The body of a potential-flow solution (PotMod 1), if there is one.
     pub potential: Option<PotentialFlow>,
-    /// AddCLin, symmetric, for the motion of the origin: N/m, N, N m.
+    /// AddCLin, symmetric, for motions of the origin: N/m, N, N m.
     pub additional_stiffness: SpatialMatrix,
     /// AddF0: force (N) and moment (N m) at the origin.
     pub additional_load: [f64; 6],
@@ -27,10 +27,10 @@ pub struct HydrodynInput {
     pub members: Vec<StripMember>,
     /// Joints of strip members with added mass or growth at the members' ends.
     pub ends: Vec<StripEnd>,
-    /// Whether the file is one before OpenFAST 2.6, in which buoyancy and weight of filled members
-    /// do not follow the motion, and AddCLin has their stiffness.
+    /// Whether the file is from a version before OpenFAST 2.6, in which buoyancy and weight of
+    /// filled members do not follow the motion, and AddCLin contains their stiffness.
     pub is_static: bool,
-    /// Notes on what the reader decided or left out.
+    /// Notes on decisions of the reader and omitted data.
     pub notes: Vec<Note>,
     /// The file, then the files of WAMIT.
     pub(crate) sources: Vec<Source>,
@@ -41,8 +41,8 @@ pub struct HydrodynInput {
 }
 
 impl HydrodynInput {
-    /// The added mass of strip members and their ends for the motion of the origin: kg, kg m, kg
-    /// m². It does not depend on the frequency.
+    /// The added mass of strip members and their ends for motions of the origin: kg, kg m, kg m².
+    /// It does not depend on the frequency.
     pub fn strip_added_mass(&self) -> SpatialMatrix {
         let density = self.water.density_kg_per_m3;
         strip_inertia::added_mass(&self.members, &self.ends, density)
@@ -58,7 +58,7 @@ impl HydrodynInput {
         strip_inertia::growth(&self.members, &self.ends)
     }
 
-    /// The files it was read from, the main one first.
+    /// The files that were read, the main one first.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.sources.iter().map(|source| source.name.as_str())
     }

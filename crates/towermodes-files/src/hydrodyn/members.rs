@@ -27,7 +27,7 @@ pub(super) struct Members {
     pub(super) notes: Vec<Note>,
 }
 
-/// What the stretches of all members depend on.
+/// The data that the stretches of all members depend on.
 pub(super) struct Site<'s> {
     pub(super) water: &'s SeaWater,
     pub(super) growth: &'s Growth,
@@ -106,13 +106,13 @@ fn overlaps(table: &Table<'_>, source: &Source) -> Vec<Note> {
     first.map(note).into_iter().collect()
 }
 
-/// Whether the water of a member is that of the body with potential flow.
+/// Whether the water of a member belongs to the body of the potential-flow solution.
 fn is_potential(table: &Table<'_>, row: &Row<'_>) -> Result<bool, Diagnostic> {
     let column = table.column(&["PropPot", "PropWAMIT"])?;
     row.token(column, "PropPot")?.logical("PropPot")
 }
 
-/// The level and density of what fills a member.
+/// The level and density of the filling of a member.
 #[derive(Debug, Clone, Copy)]
 struct Filling {
     level_m: f64,
@@ -213,10 +213,10 @@ fn member(
     Ok(member)
 }
 
-/// Cuts nearer to each other than this share of the member are one.
+/// Cuts that are closer together than this share of the member are merged.
 const SAME_CUT: f64 = 1e-12;
 
-/// The member in stretches between the heights at which something begins or ends.
+/// Divides the member into stretches, at the heights at which a property begins or ends.
 fn stretches(
     member: &StripMember,
     section: &StripSection,

@@ -1,9 +1,9 @@
 //! The water of strip members on the members of a frame.
 //!
-//! A circular strip member that lies on a beam gives coats of that beam. Any other one is cut into
-//! pieces, each of which moves rigidly with the nearest point of the nearest beam, as HydroDyn's
-//! nodes move with the nearest nodes of SubDyn. A rectangle has no coat, because its added mass
-//! differs by direction.
+//! A circular strip member that lies on a beam gives coats of that beam. Any other one is divided
+//! into pieces, each of which moves rigidly with the nearest point of the nearest beam, as
+//! HydroDyn's nodes move with the nearest nodes of SubDyn. A rectangle has no coat, because its
+//! added mass depends on the direction.
 
 use towermodes::RigidBody;
 use towermodes::frame::{FrameCoat, FrameDescription, FrameRider, JointKind};
@@ -21,17 +21,17 @@ use crate::note::Note;
 
 /// Length of the pieces that move with the nearest beam, m.
 const PIECE_M: f64 = 1.0;
-/// No frame gets more pieces; they are longer where there would be more.
+/// Largest number of pieces of a frame; if there would be more, the pieces are longer.
 const MOST_PIECES: f64 = 10_000.0;
 /// Parts shorter than this share of a member are rounding errors.
 const NO_PART: f64 = 1e-9;
-/// A joint is that of a frame if both are nearer than this, m.
+/// A joint belongs to the frame if its distance from a joint of the frame is smaller than this, m.
 const SAME_JOINT_M: f64 = 1e-3;
 
 impl HydrodynInput {
-    /// Puts the water, growth and filling of the strip members on a frame: coats of beams on which
+    /// Adds the water, growth and filling of the strip members to a frame: coats of beams on which
     /// they lie, riders of beams near them, masses of joints. The potential-flow body, AddCLin and
-    /// AddF0 are not part of it. The notes say what was not put where the file has it.
+    /// AddF0 are not included. The notes state differences from the positions in the file.
     pub fn put_on_frame(&self, frame: &mut FrameDescription) -> Vec<Note> {
         let beams = beams::of(frame);
         let at_file = |note: Note| note.at(&self.sources[0], 0);
@@ -76,7 +76,7 @@ impl HydrodynInput {
     }
 }
 
-/// A frame that carries strip members.
+/// A frame to which strip members are added.
 struct Carried<'f> {
     frame: &'f mut FrameDescription,
     beams: &'f [Beam],
@@ -86,12 +86,12 @@ struct Carried<'f> {
     length_m: f64,
     /// Length of rectangular strip members, m.
     rectangles_m: f64,
-    /// Growth and filling of both, kg.
+    /// Mass of growth and filling of these strip members, kg.
     solid_kg: f64,
 }
 
 impl Carried<'_> {
-    /// Puts a stretch on the frame.
+    /// Adds a stretch to the frame.
     fn put(&mut self, member: &StripMember, stretch: &Stretch, lying: &[Lying]) {
         let [mut from, to] = stretch.range;
         for part in lying {
@@ -105,14 +105,15 @@ impl Carried<'_> {
         self.ride(member, stretch, [from, to]);
     }
 
-    /// Puts a rectangular stretch on the frame.
+    /// Adds a rectangular stretch to the frame.
     fn put_rectangle(&mut self, member: &StripMember, stretch: &Stretch) {
         let [from, to] = stretch.range;
         self.rectangles_m += (to - from) * member.length_m();
         self.ride_pieces(member, stretch, stretch.range);
     }
 
-    /// Coats the beam under the part of a stretch between two fractions of the strip member.
+    /// Adds coats to the beam under the part of a stretch between two fractions of the strip
+    /// member.
     fn coat(&mut self, stretch: &Stretch, lying: &Lying, range: [f64; 2]) {
         let coats = stretch.coats(range.map(|at| local(stretch, at)), self.density_kg_per_m3);
         let [first, last] = range.map(|at| lying.beam_fraction(at));
@@ -127,7 +128,8 @@ impl Carried<'_> {
         }
     }
 
-    /// Lets the part of a stretch between two fractions of the strip member ride on beams near it.
+    /// Adds the part of a stretch between two fractions of the strip member as riders of the
+    /// nearest beams.
     fn ride(&mut self, member: &StripMember, stretch: &Stretch, range: [f64; 2]) {
         if range[1] - range[0] <= NO_PART {
             return;
@@ -177,7 +179,7 @@ impl Carried<'_> {
         });
     }
 
-    /// Puts the end of strip members on a joint, or on the nearest beam.
+    /// Adds the end of strip members to a joint, or to the nearest beam.
     fn put_end(&mut self, end: &StripEnd) {
         let is_it =
             |position_m: [f64; 3]| norm(difference(position_m, end.position_m)) <= SAME_JOINT_M;
@@ -218,7 +220,7 @@ impl Carried<'_> {
         // Joints of both modules may differ in their last digit.
         if self.length_m > self.piece_m {
             let message = format!(
-                "{:.0} m of members lie on no member of the substructure: their water moves rigidly with the nearest point of the nearest member, in pieces of {:.0} m",
+                "members of HydroDyn with a total length of {:.0} m do not coincide with members of the substructure: the added mass of their water is attached rigidly to the nearest point of the nearest member, in pieces of {:.0} m",
                 self.length_m, self.piece_m
             );
             notes.push(Note::approximation(message));
@@ -242,7 +244,7 @@ impl Carried<'_> {
     }
 }
 
-/// The fraction of a stretch at a fraction of its member.
+/// The fraction of a stretch for a fraction of its member.
 fn local(stretch: &Stretch, at: f64) -> f64 {
     let [from, to] = stretch.range;
     ((at - from) / (to - from)).clamp(0.0, 1.0)

@@ -10,11 +10,11 @@ use super::spatial::{add, load_of, of_force};
 use super::water_plane;
 use crate::note::Note;
 
-/// A rigid platform in its water.
+/// A rigid platform with its water.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HydrodynPlatform {
-    /// The platform with filling and growth, without moorings. Its matrices are for the motion of
-    /// the origin (0, 0, 0), heights above mean sea level.
+    /// The platform with filling and growth, without moorings. Its matrices refer to motions of the
+    /// origin (0, 0, 0), heights are above mean sea level.
     pub platform: FloatingPlatform,
     /// The load of buoyancy and AddF0 at the origin, without weight and moorings: force (N) and
     /// moment (N m).
@@ -23,19 +23,19 @@ pub struct HydrodynPlatform {
     pub notes: Vec<Note>,
 }
 
-/// AddCLin and the stiffness of the filling's weight are one if they differ by less: the figures of
-/// public files are rounded, and their gravity is 9.80665 or 9.81 m/s².
+/// AddCLin counts as equal to the stiffness of the filling's weight if they differ by less than
+/// this: the numbers in public files are rounded, and their gravity is 9.80665 or 9.81 m/s².
 const SAME_STIFFNESS: f64 = 0.02;
 
 impl HydrodynInput {
-    /// The rigid platform with a structure of steel (its centre in coordinates of the file), under
+    /// The rigid platform with a structure of steel (its centre in coordinates of the file), for
     /// this gravity.
     ///
-    /// The hydrostatic stiffness is that of the `.hst` file, of AddCLin, and of buoyancy and water
-    /// plane of strip members. The stiffness of the weight is not part of it: it follows from mass
-    /// and centre. In files before OpenFAST 2.6, AddCLin has the stiffness of the weight of filling
-    /// and growth and of strip members' buoyancy; there the hydrostatic stiffness is without these,
-    /// so that the sum counts them once.
+    /// The hydrostatic stiffness is the sum of the `.hst` file, AddCLin, and buoyancy and water
+    /// plane of strip members. The stiffness due to the weight is not included, because it follows
+    /// from mass and centre. In files before OpenFAST 2.6, AddCLin contains the stiffness due to
+    /// the weight of filling and growth and due to strip members' buoyancy; then the hydrostatic
+    /// stiffness is computed without these, so that they count once.
     pub fn platform(&self, structure: &RigidBody, gravity_m_per_s2: f64) -> HydrodynPlatform {
         let weight_of_water = self.water.density_kg_per_m3 * gravity_m_per_s2;
         let moved = [self.filling(), self.growth()];
@@ -83,7 +83,7 @@ impl HydrodynInput {
         }
     }
 
-    /// The note on parts of AddF0 that are no buoyancy.
+    /// The note on parts of AddF0 that are not buoyancy.
     fn note_on_load(&self) -> Option<Note> {
         let [x, y, _, _, _, yaw] = self.additional_load;
         let message = "AddF0 has forces in surge or sway or a moment in yaw, which the static balance leaves out: it has vertical forces only";
@@ -133,8 +133,8 @@ fn at_origin(matrix: SpatialMatrix) -> ReferredMatrix {
     }
 }
 
-/// The vertical force of a load where it has the moments of the load; none without displaced
-/// volume.
+/// The vertical force of a load, at the position where it has the moments of the load; none without
+/// displaced volume.
 fn buoyancy_of(load: &[f64; 6]) -> Option<Buoyancy> {
     let [_, _, force_n, about_x, about_y, _] = *load;
     (force_n > 0.0).then(|| Buoyancy {

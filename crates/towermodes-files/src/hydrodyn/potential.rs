@@ -12,17 +12,17 @@ use crate::note::Note;
 use crate::resolver::{FileResolver, beside};
 use crate::source::Source;
 
-/// A rigid body whose water is that of a potential-flow solution.
+/// A rigid body whose water is described by a potential-flow solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PotentialFlow {
     /// Displaced volume, m³.
     pub volume_m3: f64,
     /// Centre of buoyancy in x and y, m; its height is part of the stiffness.
     pub center_of_buoyancy_m: [f64; 2],
-    /// Hydrostatic stiffness of water plane and buoyancy divided by ρ g, for the motion (x, y, z,
+    /// Hydrostatic stiffness of water plane and buoyancy divided by ρ g, for motions (x, y, z,
     /// rotation about x, y, z) of the origin (0, 0, 0): m², m³, m⁴.
     pub hydrostatic: SpatialMatrix,
-    /// Added mass for the motion of the origin.
+    /// Added mass for motions of the origin.
     pub added_mass: AddedMassTable,
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Found {
     pub(super) sources: Vec<Source>,
 }
 
-/// Where the files' axes are and how long their unit is.
+/// The axes and the unit of length of the files.
 struct Frame {
     reference_m: [f64; 3],
     turned_deg: f64,
@@ -51,8 +51,8 @@ impl Frame {
         })
     }
 
-    /// The matrix about the origin with dimensions: L^k for two translations, L^(k+1) for a
-    /// translation and a rotation, L^(k+2) for two rotations.
+    /// The matrix about the origin with dimensions: the factor L^k for two translations, L^(k+1)
+    /// for a translation and a rotation, L^(k+2) for two rotations.
     fn about_origin(&self, matrix: &SpatialMatrix, k: i32, factor: f64) -> SpatialMatrix {
         let rotations = |i: usize| i32::from(i > 2);
         let scaled = std::array::from_fn(|i| {
@@ -164,7 +164,7 @@ fn check_one_body(values: &Values<'_>) -> Result<(), Diagnostic> {
     )
 }
 
-/// The name of the files without their endings.
+/// The name of the files without extension.
 fn file(
     values: &Values<'_>,
     source: &Source,
@@ -206,7 +206,7 @@ fn symmetric_table(
     Ok(read.content.map(|matrix| symmetric_part(matrix).0))
 }
 
-/// Heave, roll and pitch of the stiffness, symmetric: HydroDyn uses no other rows and columns.
+/// Heave, roll and pitch of the stiffness, made symmetric: HydroDyn uses no other rows and columns.
 fn heave_block(
     read: &Read<SpatialMatrix>,
     source: &Source,
@@ -242,9 +242,9 @@ fn on_triangle(is_upper: bool, source: &Source) -> Option<Note> {
 
 /// The largest relative difference due to rounding.
 const ROUNDED_SKEW: f64 = 1e-4;
-/// Differences of panels are small.
+/// The largest usual relative difference between entries that should be equal, due to the panels.
 const USUAL_SKEW: f64 = 0.01;
-/// A larger one is a wrong sign or a wrong entry.
+/// A larger difference is caused by a wrong sign or a wrong entry.
 const LARGEST_SKEW: f64 = 0.1;
 
 fn on_skew(skew: f64, what: &str, source: &Source) -> Result<Option<Note>, Diagnostic> {
@@ -264,10 +264,12 @@ fn on_skew(skew: f64, what: &str, source: &Source) -> Result<Option<Note>, Diagn
     Ok((skew > ROUNDED_SKEW).then(|| note.at(source, 0)))
 }
 
-/// At no frequency the added mass of a body is so many times its median.
+/// The added mass of a body at any frequency is smaller than this multiple of its median over the
+/// frequencies.
 const OUTLIER: f64 = 100.0;
 
-/// An entry on the diagonal of which one is out of line, by its exponent for example.
+/// The note on a diagonal entry that differs by more than this at one frequency, for example
+/// because of a wrong exponent.
 fn on_outlier(table: &AddedMassTable, source: &Source) -> Option<Note> {
     let found = (0..6).find_map(|i| {
         let mut sizes: Vec<f64> = table.matrices().map(|matrix| matrix[i][i].abs()).collect();

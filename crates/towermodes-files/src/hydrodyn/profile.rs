@@ -1,6 +1,6 @@
 //! Values that are linear between the depths of a table.
 
-/// Values by height, rising.
+/// Values by height, in increasing order of height.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Profile<const N: usize> {
     rows: Vec<(f64, [f64; N])>,
@@ -25,14 +25,14 @@ impl<const N: usize> Profile<N> {
         self.rows.iter().map(|(z_m, _)| *z_m)
     }
 
-    /// Whether a height is inside the table.
+    /// Whether a height is within the table.
     pub(super) fn holds(&self, z_m: f64) -> bool {
         let (first, last) = (self.rows.first(), self.rows.last());
         first.is_some_and(|row| row.0 <= z_m) && last.is_some_and(|row| z_m <= row.0)
     }
 
-    /// The values at a height, by the interval of the table that has another height, its middle;
-    /// those of the nearest row outside the table. None for an empty table.
+    /// The values at a height, in the interval of the table that contains `middle_m`; outside the
+    /// table those of the nearest row. None for an empty table.
     pub(super) fn at(&self, z_m: f64, middle_m: f64) -> Option<[f64; N]> {
         let above = self.rows.partition_point(|row| row.0 < middle_m);
         let Some((high, upper)) = self.rows.get(above) else {

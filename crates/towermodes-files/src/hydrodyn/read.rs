@@ -1,4 +1,4 @@
-//! Reads a file as a whole.
+//! Reads a HydroDyn file completely.
 
 use super::added_stiffness;
 use super::coefficients::Coefficients;
@@ -17,11 +17,11 @@ use crate::resolver::FileResolver;
 use crate::source::Source;
 
 /// Reads an input file of HydroDyn; `files` gives the files of WAMIT that it names, relative to its
-/// `folder` as seen from there. `water` is what the `.fst` file and SeaState give; a number in the
-/// file goes before.
+/// `folder` as seen from there. `water` contains the values of the `.fst` file and of SeaState; a
+/// number in the HydroDyn file has priority.
 ///
 /// # Errors
-/// The first mistake in the file or in one of these, at its place.
+/// The first mistake in the file or in a file of WAMIT, at its place.
 ///
 /// # Example
 /// ```no_run
@@ -144,7 +144,7 @@ fn not_hydrodyn(values: &Values<'_>) -> Diagnostic {
         .with_hint("such a file has PotMod, AddCLin, NJoints and NMembers")
 }
 
-/// One note on all data that do not change undamped modes.
+/// A common note on all data that do not affect undamped modes.
 fn on_damping(values: &Values<'_>, has_body: bool, source: &Source) -> Option<Note> {
     let named =
         ["AddBLin", "AddBQuad"].map(|name| values.line(name).map(|line| (name, line.start)));
@@ -160,10 +160,10 @@ fn on_damping(values: &Values<'_>, has_body: bool, source: &Source) -> Option<No
     Some(Note::left_out(message).at(source, at))
 }
 
-/// The density of water, kg/m³, from fresh to the saltiest.
+/// The range of the density of water, kg/m³, from fresh water to the highest salinity.
 const DENSITIES_KG_PER_M3: std::ops::RangeInclusive<f64> = 900.0..=1100.0;
 
-/// A density that no water has.
+/// The note on a density outside the range of water.
 fn on_density(water: &SeaWater, source: &Source) -> Option<Note> {
     let density = water.density_kg_per_m3;
     let message = format!(
@@ -172,10 +172,10 @@ fn on_density(water: &SeaWater, source: &Source) -> Option<Note> {
     (!DENSITIES_KG_PER_M3.contains(&density)).then(|| Note::suspicious(message).at(source, 0))
 }
 
-/// A cylinder alone has Ca = 1, one between others 2.
+/// Largest plausible coefficient: a single cylinder has Ca = 1, one between others 2.
 const LARGEST_CA: f64 = 3.0;
 
-/// Coefficients of added mass across the axis that no member has.
+/// The note on coefficients of transverse added mass that are not plausible.
 fn on_added_mass(members: &Members, source: &Source) -> Option<Note> {
     let largest = |member: &StripMember| {
         let stretches = member.stretches.iter();
@@ -201,7 +201,7 @@ fn on_added_mass(members: &Members, source: &Source) -> Option<Note> {
     Some(Note::suspicious(message).at(source, *row))
 }
 
-/// What strip theory leaves out of the modes.
+/// The note on effects that strip theory neglects.
 fn on_strips(members: &Members, water: &SeaWater, source: &Source) -> Vec<Note> {
     let mut notes = Vec::new();
     let strips = members

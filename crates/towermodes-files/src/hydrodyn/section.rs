@@ -11,7 +11,7 @@ pub(super) enum Form {
     Rectangle,
 }
 
-/// A section; values at both ends, linear between them.
+/// A section; values are given at both ends and linear between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StripSection {
     /// A circle.
@@ -39,7 +39,7 @@ pub(super) enum Outline {
     Rectangle([f64; 2]),
 }
 
-/// A value that is linear between two ends, at a fraction of the way.
+/// The value at a fraction of the distance between two ends, with linear interpolation.
 pub(super) fn blend([from, to]: [f64; 2], fraction: f64) -> f64 {
     from + fraction * (to - from)
 }
@@ -52,7 +52,7 @@ impl StripSection {
         }
     }
 
-    /// Its outside without growth at a fraction of the length.
+    /// Its outer outline without growth at a fraction of the length.
     pub(super) fn outer(&self, fraction: f64) -> Outline {
         match self {
             Self::Circle { outer_radius_m, .. } => {
@@ -62,7 +62,7 @@ impl StripSection {
         }
     }
 
-    /// Its inside.
+    /// Its inner outline.
     pub(super) fn inner(&self, fraction: f64) -> Outline {
         match self {
             Self::Circle { inner_radius_m, .. } => {
@@ -72,9 +72,9 @@ impl StripSection {
         }
     }
 
-    /// The volume per length (m²) that the coefficient of added mass along the axis multiplies, at
-    /// a fraction of a stretch of this length (m) with growth: 2 π R² |dR/ds| of a circle, ½ (a
-    /// |db/ds| + b |da/ds|) √(a b) of a rectangle.
+    /// The volume per length (m²) that is multiplied by the coefficient of added mass along the
+    /// axis, at a fraction of a stretch of this length (m) with growth: 2 π R² |dR/ds| for a
+    /// circle, ½ (a |db/ds| + b |da/ds|) √(a b) for a rectangle.
     ///
     /// Source: `Morison.f90` (OpenFAST 5).
     pub(super) fn axial_reference_m2(
@@ -99,13 +99,13 @@ impl StripSection {
         }
     }
 
-    /// The radii of the circles with the areas of its outside at both ends, m: its own if it is
-    /// a circle.
+    /// The radii at both ends of the circles with the same area as the outer outline, m; for a
+    /// circle its own radii.
     pub fn outer_radius_m(&self) -> [f64; 2] {
         [0.0, 1.0].map(|end| self.outer(end).radius_m())
     }
 
-    /// Those of its inside.
+    /// The radii at both ends of the circles with the same area as the inner outline, m.
     pub fn inner_radius_m(&self) -> [f64; 2] {
         [0.0, 1.0].map(|end| self.inner(end).radius_m())
     }
@@ -140,7 +140,7 @@ fn sides([from, to]: &[[f64; 2]; 2], fraction: f64) -> Outline {
 }
 
 impl Outline {
-    /// It with growth of a thickness (m) around it.
+    /// The outline with growth of a thickness (m) around it.
     pub(super) fn grown(self, thickness_m: f64) -> Self {
         match self {
             Self::Circle(radius_m) => Self::Circle(radius_m + thickness_m),
@@ -165,8 +165,8 @@ impl Outline {
         }
     }
 
-    /// The areas (m²) that the coefficients of added mass along x and y refer to: those of circles
-    /// whose diameter is the side across this direction, π b²/4 and π a²/4.
+    /// The areas (m²) to which the coefficients of added mass along x and y refer: those of circles
+    /// whose diameter is the side normal to this direction, π b²/4 and π a²/4.
     ///
     /// Source: `Morison.f90` (OpenFAST 5), distributed added mass of rectangular members.
     pub(super) fn reference_areas_m2(self) -> [f64; 2] {

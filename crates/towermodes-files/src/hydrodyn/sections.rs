@@ -11,7 +11,7 @@ pub(super) struct Sections {
     rectangles: (Ids, Vec<Walled<2>>),
 }
 
-/// Outer and inner sizes: a diameter, or two sides, m.
+/// Outer and inner dimensions: a diameter, or two sides, m.
 #[derive(Debug, Clone, Copy)]
 struct Walled<const N: usize> {
     outer_m: [f64; N],
@@ -53,7 +53,7 @@ impl Sections {
     }
 }
 
-/// Whether a member is circular, as all are before OpenFAST 4.1, or rectangular.
+/// Whether a member is rectangular; before OpenFAST 4.1 all are circular.
 pub(super) fn form(table: &Table<'_>, row: &Row<'_>) -> Result<Form, Diagnostic> {
     let Some(column) = table.column_if_any(&["MSecGeom"]) else {
         return Ok(Form::Circle);

@@ -1,5 +1,5 @@
-//! Matrices for the motion (x, y, z, rotation about x, y, z) of the origin, from matrices of points
-//! elsewhere.
+//! Matrices for motions (x, y, z, rotation about x, y, z) of the origin, from matrices about other
+//! points.
 
 use towermodes::RigidBody;
 use towermodes::space::SpatialMatrix;
@@ -25,7 +25,7 @@ pub(super) fn norm(a: Vector) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// Adds a matrix.
+/// Adds a matrix with a factor.
 pub(super) fn add(sum: &mut SpatialMatrix, factor: f64, addend: &SpatialMatrix) {
     for (sum, addend) in sum.iter_mut().flatten().zip(addend.iter().flatten()) {
         *sum += factor * addend;
@@ -52,12 +52,12 @@ fn congruent(a: &SpatialMatrix, k: &SpatialMatrix) -> SpatialMatrix {
     std::array::from_fn(|i| std::array::from_fn(|j| terms(&|l| a[l][i] * product[l][j])))
 }
 
-/// The matrix for the origin of one for a point: Tᵀ K T.
+/// The matrix about the origin of a matrix about a point: Tᵀ K T.
 pub(super) fn from_point(matrix: &SpatialMatrix, point_m: Vector) -> SpatialMatrix {
     congruent(&transfer(point_m), matrix)
 }
 
-/// The matrix in global axes of one whose axes are turned about z by an angle (degrees).
+/// The matrix in global axes of a matrix in axes that are rotated about z by an angle (degrees).
 pub(super) fn turned_back(matrix: &SpatialMatrix, angle_deg: f64) -> SpatialMatrix {
     if angle_deg == 0.0 {
         return *matrix;
@@ -72,7 +72,7 @@ pub(super) fn turned_back(matrix: &SpatialMatrix, angle_deg: f64) -> SpatialMatr
     congruent(&to_local, matrix)
 }
 
-/// The inertia about the origin of a mass that may differ by direction, at a point.
+/// The inertia about the origin of a mass at a point; the mass may depend on the direction.
 pub(super) fn of_mass(mass_kg: &Tensor, point_m: Vector) -> SpatialMatrix {
     let mut matrix = NONE;
     for (row, masses) in matrix.iter_mut().zip(mass_kg) {
@@ -95,7 +95,7 @@ pub(super) fn of_body(body: &RigidBody, point_m: Vector) -> SpatialMatrix {
     matrix
 }
 
-/// The stiffness about the origin of a force of constant direction that is fixed to a rigid body at
+/// The stiffness about the origin due to a force of constant direction that acts on a rigid body at
 /// a point: (F·r) 1 − ½ (r Fᵀ + F rᵀ) for rotations, the Hessian of −F·R(θ) r.
 pub(super) fn of_force(force_n: Vector, point_m: Vector) -> SpatialMatrix {
     let along = dot(force_n, point_m);
@@ -122,8 +122,8 @@ pub(super) fn load_of(force_n: Vector, [x, y, z]: Vector) -> [f64; 6] {
     ]
 }
 
-/// The symmetric part, and the largest part that is left out: relative to √(K_ii K_jj), or to the
-/// pair itself where a diagonal entry is zero.
+/// The symmetric part, and the largest omitted asymmetry: relative to √(K_ii K_jj), or to the pair
+/// itself if a diagonal entry is zero.
 pub(super) fn symmetric_part(matrix: &SpatialMatrix) -> (SpatialMatrix, f64) {
     let mut largest = 0.0_f64;
     let mut symmetric = *matrix;

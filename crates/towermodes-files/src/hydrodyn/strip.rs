@@ -1,5 +1,5 @@
-//! Members whose water is that of strips of a cylinder or prism (Morison), in stretches in which
-//! all values are linear.
+//! Members with water by strip theory for cylinders or prisms (Morison), in stretches in which all
+//! values are linear.
 
 use towermodes::frame::member_axes;
 
@@ -13,11 +13,11 @@ pub struct StripMember {
     pub name: String,
     /// Its ends, m.
     pub ends_m: [[f64; 3]; 2],
-    /// Rotation of its section about its axis, degrees (MSpinOrient); the axes without it are those
+    /// Rotation of its section about its axis, degrees (MSpinOrient); without it the axes are those
     /// of the members of a frame.
     pub spin_deg: f64,
-    /// Whether the water around it is that of the potential-flow body (PropPot): then only its
-    /// filling is its own.
+    /// Whether the water around it belongs to the potential-flow body (PropPot): then only its
+    /// filling is used.
     pub is_potential_flow: bool,
     /// Whether its buoyancy and water plane are included (MHstLMod).
     pub has_hydrostatics: bool,
@@ -25,20 +25,21 @@ pub struct StripMember {
     pub stretches: Vec<Stretch>,
 }
 
-/// A stretch of a member; values at both ends, linear between them.
+/// A stretch of a member; values are given at both ends and linear between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
     /// Its ends, as fractions of the member's length from its first end.
     pub range: [f64; 2],
     /// Its section.
     pub section: StripSection,
-    /// Whether it is between the seabed and the still water.
+    /// Whether it is between the seabed and the still water level.
     pub is_wet: bool,
-    /// Marine growth, if there is some.
+    /// Marine growth, if there is any.
     pub growth: Option<MarineGrowth>,
-    /// Coefficients of added mass, where the water around it is its own.
+    /// Coefficients of added mass, if the water around it does not belong to the potential-flow
+    /// body.
     pub added_mass: Option<StripAddedMass>,
-    /// Density of what fills it, kg/m³; 0 where it is empty.
+    /// Density of the filling, kg/m³; 0 if it is empty.
     pub fill_density_kg_per_m3: f64,
 }
 
@@ -55,16 +56,16 @@ pub struct MarineGrowth {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StripAddedMass {
     /// At each end, for motions along the local axes x and y: the added mass per length is ρ π R²
-    /// Cₐ of a circle, where both are equal. For a rectangle with sides a along x and b along y it
+    /// Cₐ for a circle, where both are equal. For a rectangle with sides a along x and b along y it
     /// is ρ π b²/4 Cₐ along x (CaB of the file) and ρ π a²/4 Cₐ along y (CaA).
     pub across: [[f64; 2]; 2],
-    /// Along the axis: the added mass per length is 2 ρ π R² Cₓ |dR/ds| of a circle and ½ ρ Cₓ
-    /// (a |db/ds| + b |da/ds|) √(a b) of a rectangle.
+    /// Along the axis: the added mass per length is 2 ρ π R² Cₓ |dR/ds| for a circle and ½ ρ Cₓ (a
+    /// |db/ds| + b |da/ds|) √(a b) for a rectangle.
     pub along: [f64; 2],
 }
 
 impl Stretch {
-    /// Its outside with growth at a fraction of it.
+    /// The outer outline with growth at a fraction of the stretch.
     pub(super) fn grown(&self, fraction: f64) -> Outline {
         let outer = self.section.outer(fraction);
         outer.grown(blend(self.growth_m(), fraction))
@@ -93,7 +94,7 @@ impl StripMember {
         super::spatial::difference(self.ends_m[1], self.ends_m[0]).map(|x| x / length)
     }
 
-    /// Its local axes x, y, z as rows, z along it.
+    /// Its local axes x, y, z as rows; z is along the member.
     pub(super) fn axes(&self) -> Tensor {
         let [x, y, _] = member_axes(self.ends_m[0], self.ends_m[1], self.spin_deg);
         [x, y, self.axis()]

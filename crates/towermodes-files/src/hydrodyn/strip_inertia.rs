@@ -8,8 +8,8 @@ use super::section::{Outline, blend};
 use super::spatial::{NONE, Tensor, Vector, add, of_mass};
 use super::strip::{Stretch, StripMember};
 
-/// Points and weights of Gauss's rule on 0 to 1; exact for polynomials of degree 7, where those of
-/// the integrals have at most degree 5.
+/// Points and weights of Gauss quadrature on 0 to 1; exact for polynomials of degree 7; the
+/// integrands have at most degree 5.
 fn gauss() -> [(f64, f64); 4] {
     let root = |sign: f64| (3.0 / 7.0 + sign * 2.0 / 7.0 * 1.2_f64.sqrt()).sqrt();
     let weight = |sign: f64| (18.0 + sign * 30.0_f64.sqrt()) / 72.0;
@@ -24,7 +24,7 @@ fn gauss() -> [(f64, f64); 4] {
     .map(|(x, w)| (0.5 * (1.0 + x), w))
 }
 
-/// A slice of a stretch: its place as a fraction of the stretch, its centre and its length.
+/// A slice of a stretch: its position as a fraction of the stretch, its centre and its length.
 pub(super) struct Slice {
     pub(super) fraction: f64,
     pub(super) center_m: Vector,
@@ -47,7 +47,7 @@ pub(super) fn slices(member: &StripMember, stretch: &Stretch, part: [f64; 2]) ->
 }
 
 /// The tensor with these values along the axes x, y, z of a member: α x xᵀ + β y yᵀ + γ z zᵀ. It
-/// does not depend on x and y where α = β, as in a circle.
+/// does not depend on x and y if α = β, as for a circle.
 fn principal([alpha, beta, gamma]: [f64; 3], [_, y, z]: &Tensor) -> Tensor {
     std::array::from_fn(|i| {
         std::array::from_fn(|j| {
@@ -57,7 +57,7 @@ fn principal([alpha, beta, gamma]: [f64; 3], [_, y, z]: &Tensor) -> Tensor {
     })
 }
 
-/// A part of a section that has mass: density (kg/m³), outside and inside.
+/// A part of a section with mass: density (kg/m³), outer and inner outline.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ring {
     pub(super) density_kg_per_m3: f64,
@@ -79,7 +79,7 @@ impl Ring {
         [x, y, x + y]
     }
 
-    /// A slice of a member with these axes.
+    /// The rigid body of a slice of a member with these axes.
     pub(super) fn disc(&self, slice: &Slice, axes: &Tensor) -> RigidBody {
         let rotary = self.rotary_kg_m().map(|per_m| per_m * slice.length_m);
         RigidBody {
@@ -91,8 +91,8 @@ impl Ring {
 }
 
 impl Stretch {
-    /// Added mass per length (kg/m) at a fraction of the stretch, which has this length (m), of a
-    /// member with these axes.
+    /// Added mass per length (kg/m) at a fraction of a stretch of this length (m), for a member
+    /// with these axes.
     pub(super) fn added_mass(
         &self,
         fraction: f64,
@@ -114,7 +114,7 @@ impl Stretch {
         principal([x, y, z].map(|area| density_kg_per_m3 * area), axes)
     }
 
-    /// The growth at a fraction.
+    /// The growth at a fraction of the stretch.
     fn growth_ring(&self, fraction: f64) -> Option<Ring> {
         let growth = self.growth?;
         Some(Ring {
@@ -124,7 +124,7 @@ impl Stretch {
         })
     }
 
-    /// The filling at a fraction.
+    /// The filling at a fraction of the stretch.
     fn filling_ring(&self, fraction: f64) -> Option<Ring> {
         let density_kg_per_m3 = self.fill_density_kg_per_m3;
         (density_kg_per_m3 > 0.0).then(|| Ring {
@@ -134,7 +134,7 @@ impl Stretch {
         })
     }
 
-    /// Growth and filling at a fraction.
+    /// Growth and filling at a fraction of the stretch.
     pub(super) fn solids(&self, fraction: f64) -> impl Iterator<Item = Ring> {
         let rings = [self.growth_ring(fraction), self.filling_ring(fraction)];
         rings.into_iter().flatten()
@@ -170,7 +170,7 @@ pub(super) fn growth(members: &[StripMember], ends: &[StripEnd]) -> RigidBody {
     RigidBody::combined(&bodies)
 }
 
-/// The added mass of members and their ends for the motion of the origin.
+/// The added mass of members and their ends for motions of the origin.
 pub(super) fn added_mass(
     members: &[StripMember],
     ends: &[StripEnd],

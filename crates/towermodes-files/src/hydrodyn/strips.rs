@@ -1,5 +1,5 @@
-//! The water of strip members of any source as that of one rigid body, and rings of material
-//! along them.
+//! The water of strip members as that of one rigid body, and rings of material along them, for all
+//! readers with strip members.
 
 use towermodes::RigidBody;
 use towermodes::space::SpatialMatrix;
@@ -12,7 +12,7 @@ use super::strip_inertia::{Ring, added_mass, slices};
 use super::water::SeaWater;
 use super::water_plane;
 
-/// Water for the motion (x, y, z, rotation about x, y, z) of the origin.
+/// Water for motions (x, y, z, rotation about x, y, z) of the origin.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct StripWater {
     /// Displaced volume, m³.
@@ -25,8 +25,8 @@ pub(crate) struct StripWater {
     pub(crate) hydrostatic: SpatialMatrix,
 }
 
-/// The water of members; joints by position and coefficient of added mass of ends, `joints_of`
-/// those of each member.
+/// The water of members; joints are given by position and coefficient of added mass of member ends,
+/// `joints_of` contains the joints of each member.
 pub(crate) fn strip_water(
     members: &[StripMember],
     joints: &[([f64; 3], f64)],
@@ -61,7 +61,7 @@ pub(crate) fn strip_water(
     }
 }
 
-/// ∫ z dV of what is in the water, m⁴.
+/// ∫ z dV of the displaced volume, m⁴.
 fn moment_of_height(members: &[StripMember]) -> f64 {
     let mut moment = 0.0;
     for member in members {

@@ -1,5 +1,5 @@
 //! The tables of a file: the number of rows with its name, names and units of the columns, rows.
-//! Columns are found by their names, because newer versions have more of them.
+//! Columns are found by their names, because newer versions have additional columns.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -8,9 +8,9 @@ use super::values::Values;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::records::{Line, Lines, Token};
 
-/// No table has more rows.
+/// Largest number of rows of a table.
 const MOST_ROWS: usize = 5_000;
-/// No row has more values.
+/// Largest number of values of a row.
 const MOST_VALUES: usize = 20_000;
 
 /// A table.
@@ -32,7 +32,7 @@ pub(super) struct Row<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// The table whose number of rows has one of some names; an empty table if the file has none.
+    /// The table whose number of rows has one of these names; an empty table if the file has none.
     pub(super) fn of(
         values: &Values<'a>,
         names: &[&'static str],
@@ -62,7 +62,7 @@ impl<'a> Table<'a> {
         })
     }
 
-    /// The only row of a table without a number of rows, whose header has a column.
+    /// The single row of a table without a number of rows, whose header has this column.
     pub(super) fn with_column(
         text: &'a str,
         column: &'static str,
@@ -88,7 +88,7 @@ impl<'a> Table<'a> {
         }))
     }
 
-    /// The column with one of some names.
+    /// The column with one of these names.
     pub(super) fn column(&self, names: &[&str]) -> Result<usize, Diagnostic> {
         let missing = || {
             let what = format!(
@@ -112,7 +112,7 @@ impl<'a> Table<'a> {
         row.number(self.column(&[name])?, name)
     }
 
-    /// A number from 0 on.
+    /// A number that is not negative.
     pub(super) fn not_negative(&self, row: &Row<'_>, name: &str) -> Result<f64, Diagnostic> {
         let value = self.number(row, name)?;
         match value >= 0.0 {
@@ -205,7 +205,7 @@ impl<'a> Row<'a> {
         self.token(column, name)?.number(&what)
     }
 
-    /// The whole number in a column; `5.0` is one.
+    /// The integer in a column; `5.0` is accepted.
     pub(super) fn integer(&self, column: usize, name: &str) -> Result<i64, Diagnostic> {
         let token = self.token(column, name)?;
         let value = token.number("").ok().filter(|value| value.fract() == 0.0);
@@ -241,7 +241,7 @@ pub(super) struct Ids {
 }
 
 impl Ids {
-    /// The index of the row whose number is in a column of another row.
+    /// The index of the row whose number is given in a column of another row.
     pub(super) fn find(
         &self,
         row: &Row<'_>,

@@ -1,18 +1,18 @@
-//! The lines of a file by the names behind their values.
+//! The lines of a file by the names after their values.
 
 use std::collections::HashMap;
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Lines, Token};
 
-/// The first line of each name: values, then the name.
+/// The first line with each name: values, then the name.
 #[derive(Debug)]
 pub(super) struct Values<'a> {
     pub(super) text: &'a str,
     lines: HashMap<String, Line<'a>>,
 }
 
-/// The name on a line, behind one or more values.
+/// The name on a line, after one or more values.
 fn name_of<'a>(line: &Line<'a>) -> Option<&'a str> {
     let mut tokens = line.tokens();
     tokens.next()?;
@@ -34,17 +34,17 @@ impl<'a> Values<'a> {
         Self { text, lines }
     }
 
-    /// The line of a name.
+    /// The line with a name.
     pub(super) fn line(&self, name: &str) -> Option<Line<'a>> {
         self.lines.get(&name.to_ascii_lowercase()).copied()
     }
 
-    /// The first value on the line of a name.
+    /// The first value on the line with a name.
     pub(super) fn token(&self, name: &str) -> Option<Token<'a>> {
         self.line(name)?.first()
     }
 
-    /// The first value on the line of a name that must be there.
+    /// The first value on the line with a name that must exist.
     pub(super) fn expect(&self, name: &str) -> Result<Token<'a>, Diagnostic> {
         let missing = || {
             let kind = DiagnosticKind::missing_key("the HydroDyn file", name);
@@ -53,14 +53,14 @@ impl<'a> Values<'a> {
         self.token(name).ok_or_else(missing)
     }
 
-    /// A number that must be there.
+    /// A number that must exist.
     pub(super) fn number(&self, name: &str) -> Result<f64, Diagnostic> {
         let token = self.expect(name)?;
         self.check_commas(name)?;
         token.number(name)
     }
 
-    /// A number that may be absent.
+    /// A number that may be missing.
     pub(super) fn number_or(&self, name: &str, default: f64) -> Result<f64, Diagnostic> {
         match self.token(name) {
             Some(_) => self.number(name),

@@ -15,10 +15,10 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Lines, Token};
 use crate::source::Source;
 
-/// No file has more periods.
+/// Largest number of periods of a file.
 const MOST_PERIODS: usize = 20_000;
 
-/// The matrix of a period and which entries the file has.
+/// The matrix for a period, and the entries that the file contains.
 #[derive(Debug, Clone)]
 struct Entries {
     matrix: SpatialMatrix,
@@ -40,7 +40,7 @@ impl Entries {
         (0..6).any(|i| (0..i).any(|j| self.given[i][j]))
     }
 
-    /// The matrix, with the upper triangle below the diagonal too.
+    /// The matrix with the upper triangle copied to the lower one.
     fn mirrored(&self) -> SpatialMatrix {
         let entry = |i: usize, j: usize| self.matrix[i.min(j)][i.max(j)];
         std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
@@ -50,7 +50,7 @@ impl Entries {
 /// The content of a file.
 pub(super) struct Read<T> {
     pub(super) content: T,
-    /// Whether the file has only the entries on and above the diagonal.
+    /// Whether the file contains only the entries on and above the diagonal.
     pub(super) is_upper_triangle: bool,
 }
 
@@ -92,7 +92,7 @@ pub(super) fn read_added_mass(source: &Source) -> Result<Read<AddedMassTable>, D
     })
 }
 
-/// An entry on the diagonal that the file has at some periods it has at all.
+/// Checks that a diagonal entry that the file has for some periods exists for all periods.
 fn check_diagonal(periods: &BTreeMap<Frequency, Entries>) -> Result<(), Diagnostic> {
     for i in 0..6 {
         let has = |entries: &Entries| entries.given[i][i];
@@ -114,7 +114,7 @@ fn check_diagonal(periods: &BTreeMap<Frequency, Entries>) -> Result<(), Diagnost
     Ok(())
 }
 
-/// A frequency in rising order; positive numbers are in the order of their bits.
+/// A frequency as a sort key; positive numbers are in the order of their bits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Frequency {
     Zero,

@@ -9,7 +9,7 @@ use crate::source::Source;
 
 const NAMES: [&str; 3] = ["WtrDens", "WtrDpth", "MSL2SWL"];
 
-/// The water that another file gives; a value that none gives is none.
+/// The water that another file gives; a value is none if no file gives it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct WaterDefaults {
     /// Density, kg/m³.
@@ -31,15 +31,16 @@ pub struct SeaWater {
     pub level_m: f64,
 }
 
-/// A structure stands on the seabed if its lowest point is nearer to the seabed than the larger of
-/// this fraction of the depth and this distance, m: piles end above the seabed.
+/// A structure stands on the seabed if the distance of its lowest point from the seabed is smaller
+/// than the larger of this fraction of the depth and this length, m, because piles
+/// end above the seabed.
 const NEAR: f64 = 0.1;
 const NEAR_M: f64 = 2.0;
 /// Two heights that differ by less than this fraction of the depth count as equal.
 const ON_SEABED: f64 = 0.01;
 
 impl SeaWater {
-    /// How far from the seabed something may stand on it, m.
+    /// The largest distance from the seabed at which a structure stands on it, m.
     pub(crate) fn near_seabed_m(&self) -> f64 {
         (NEAR * self.depth_m).max(NEAR_M)
     }
@@ -55,19 +56,19 @@ impl SeaWater {
     }
 }
 
-/// The water that a `.fst` file, a file of SeaState or a file of HydroDyn gives. A number in it
-/// goes before the default; `default` and an absent value leave it.
+/// The water that a `.fst` file, a SeaState file or a HydroDyn file gives. A number in the file has
+/// priority over the default; `default` and a missing value mean the default.
 ///
 /// # Errors
-/// [`ReadError::Mistakes`] at a value that is neither a number nor `default`, at a density or depth
-/// that is not positive.
+/// [`ReadError::Mistakes`] at a value that is neither a number nor `default`, and at a density or
+/// depth that is not positive.
 pub fn read_water(source: &Source, defaults: WaterDefaults) -> Result<WaterDefaults, ReadError> {
     let values = Values::of(&source.text);
     given(&values, defaults).map_err(|mistake| ReadError::mistake(source, mistake))
 }
 
 /// The water that a `.fst` file gives. The other files take their defaults from this file, so
-/// `default` is a mistake in it.
+/// `default` in this file is a mistake.
 ///
 /// # Errors
 /// [`ReadError::Mistakes`] as [`read_water`], and at `default`.
@@ -96,11 +97,11 @@ fn is_default(token: &Token<'_>) -> bool {
 pub(crate) struct GivenWater {
     pub(crate) name: &'static str,
     pub(crate) value: f64,
-    /// Its byte.
+    /// The byte of the value.
     pub(crate) at: usize,
 }
 
-/// The values of the water that a file has as numbers.
+/// The values of the water that a file gives as numbers.
 pub(crate) fn given_in(source: &Source) -> Vec<GivenWater> {
     let values = Values::of(&source.text);
     let found = NAMES.into_iter().filter_map(|name| {
@@ -113,7 +114,7 @@ pub(crate) fn given_in(source: &Source) -> Vec<GivenWater> {
     found.collect()
 }
 
-/// The same of a file whose values are known.
+/// As [`given_in`], for a file whose values are already read.
 pub(super) fn given(
     values: &Values<'_>,
     defaults: WaterDefaults,
@@ -139,7 +140,7 @@ fn value(values: &Values<'_>, name: &str) -> Result<Option<f64>, Diagnostic> {
     }
 }
 
-/// The water of a model, all values known; the level is 0 where no file gives it.
+/// The water of a model with all values; the level is 0 if no file gives it.
 pub(super) fn complete(water: WaterDefaults) -> Result<SeaWater, Diagnostic> {
     let missing = |name: &str| {
         let kind = DiagnosticKind::missing_key("the HydroDyn file", name);

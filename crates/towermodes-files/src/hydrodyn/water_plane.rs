@@ -8,7 +8,7 @@ use super::strip::{Stretch, StripMember};
 use super::strip_inertia::slices;
 use super::water::SeaWater;
 
-/// Stiffness and load divided by ρ g, for the origin.
+/// Stiffness and load divided by ρ g, about the origin.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Hydrostatics {
     pub(super) stiffness: SpatialMatrix,
@@ -33,8 +33,8 @@ pub(super) fn of(members: &[StripMember], water: &SeaWater) -> Hydrostatics {
     sum
 }
 
-/// Where each member with hydrostatic loads crosses the surface, and the stiffness of its water
-/// plane divided by ρ g, for the origin.
+/// The point at which each member with hydrostatic loads intersects the water surface, and the
+/// stiffness of its water plane divided by ρ g, about the origin.
 pub(super) fn planes(
     members: &[StripMember],
     water: &SeaWater,
@@ -50,7 +50,7 @@ pub(super) fn planes(
 }
 
 impl StripMember {
-    /// Whether buoyancy and water plane of its strips are its own.
+    /// Whether its buoyancy and water plane are computed from its strips.
     fn floats(&self) -> bool {
         self.has_hydrostatics && !self.is_potential_flow
     }
@@ -70,7 +70,7 @@ impl Hydrostatics {
     }
 }
 
-/// The section where a member crosses the water's surface, if it does.
+/// The section at which a member intersects the water surface, if it does.
 fn outline_at_level(member: &StripMember, level_m: f64) -> Option<Outline> {
     let [from_m, to_m] = member.ends_m.map(|end_m| end_m[2]);
     if (from_m - level_m) * (to_m - level_m) >= 0.0 {
@@ -85,10 +85,10 @@ fn outline_at_level(member: &StripMember, level_m: f64) -> Option<Outline> {
     Some(last.grown(end))
 }
 
-/// Stiffness of the plane in which an inclined member crosses the surface, divided by ρ g: its area
-/// is the area of the section, divided by cos φ. A point of the section at u, v on the local axes
-/// x, y is in the plane at u g + v h, where g and h are x and y moved along the axis of the member
-/// to the surface.
+/// Stiffness of the plane in which an inclined member intersects the surface, divided by ρ g: its
+/// area is the area of the section divided by cos φ. A point of the section at u, v on the local
+/// axes x, y is in the plane at u g + v h, where g and h are x and y moved along the axis of the
+/// member to the surface.
 fn water_plane(member: &StripMember, outline: Outline, [x, y, _]: Vector) -> SpatialMatrix {
     let [_, local_y, k] = member.axes();
     let cosine = k[2].abs();

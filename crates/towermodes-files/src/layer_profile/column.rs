@@ -14,13 +14,13 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 pub(super) enum Content {
     /// Height in the datum of the stations, upwards.
     Height,
-    /// Below the surface of the ground before scour.
+    /// Depth below the surface of the ground before scour.
     Depth,
     /// A quantity of the soil, by its key in `[[ground.layer]]`.
     Quantity(&'static str),
 }
 
-/// A column that is known.
+/// A column that the reader knows.
 struct Known {
     name: &'static str,
     content: Content,
@@ -71,7 +71,7 @@ const REMARKS: [&str; 12] = [
     "notes", "soil",
 ];
 
-/// Other names of quantities that have one value for a layer.
+/// Other names of quantities that have one value per layer.
 const OF_LAYER: [&str; 3] = ["unit_weight", "phi", "eps50"];
 
 /// A column that is read.
@@ -85,7 +85,7 @@ pub(super) struct Column {
     pub(super) unit: Factor,
 }
 
-/// The column that a cell of the header names; none if it is empty or a remark.
+/// The column that a header cell names; none if the cell is empty or names a remark.
 pub(super) fn column(index: usize, cell: &Cell<'_>) -> Result<Option<Column>, Diagnostic> {
     let lower = cell.text.to_lowercase();
     let (name, bracketed) = match lower.split_once(['[', '(']) {
@@ -114,7 +114,7 @@ pub(super) fn column(index: usize, cell: &Cell<'_>) -> Result<Option<Column>, Di
     }))
 }
 
-/// The known column of a name and its unit, in brackets or at the end of the name.
+/// The known column with a name, and its unit, in brackets or at the end of the name.
 fn named<'n>(
     name: &'n str,
     bracketed: Option<&'n str>,
@@ -136,7 +136,7 @@ fn named<'n>(
     cuts.next_back()
 }
 
-/// The unit of a column, or what is wrong with a hint.
+/// The unit of a column, or the mistake with a hint.
 fn unit_of(
     name: &str,
     dimension: Dimension,

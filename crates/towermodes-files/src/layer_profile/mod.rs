@@ -1,8 +1,8 @@
 //! Profiles of soil in CSV, as exported from a report or a cone penetration test; a layer of a
 //! tower file refers to one with `profile = "cone.csv"`.
 //!
-//! A row has a depth or height and one or more quantities there, which are linear from row to row;
-//! two rows at one depth are a step.
+//! A row contains a depth or height and one or more quantities there, which are linear between
+//! rows; two rows at one depth are a step.
 
 mod column;
 mod unit;
@@ -16,9 +16,9 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind, line_and_column};
 use crate::number::Rounded;
 use column::{Column, Content, column};
 
-/// More rows than these are refused: each is a layer of its own.
+/// Largest number of rows: each is a layer.
 const MAX_ROWS: usize = 1000;
-/// Heights that are nearer than this, m, are one height: lengths are converted.
+/// Heights whose difference is smaller than this, m, are equal, because lengths are converted.
 pub(crate) const SAME_M: f64 = 1e-6;
 
 const EXAMPLE: &str = "write a header such as `depth [m], undrained_strength [kPa]` or `height_m, cone_resistance_MPa`";
@@ -28,7 +28,7 @@ const EXAMPLE: &str = "write a header such as `depth [m], undrained_strength [kP
 pub(crate) struct Quantity {
     /// Its key in `[[ground.layer]]`.
     pub(crate) key: &'static str,
-    /// The place of its header.
+    /// The place of its column header.
     pub(crate) span: Range<usize>,
 }
 
@@ -57,7 +57,7 @@ struct Header {
     width: Width,
 }
 
-/// The profile in a table; depths count from the surface of the ground.
+/// The profile in a table; depths are measured from the surface of the ground.
 ///
 /// # Errors
 /// The mistakes at their places in the text; never an empty list.
@@ -104,7 +104,7 @@ pub(crate) fn profile(text: &str, surface_m: f64) -> Result<Profile, Vec<Diagnos
     })
 }
 
-/// The header in a row.
+/// The header in a row of the table.
 fn header(record: &Record<'_>) -> Result<Header, Vec<Diagnostic>> {
     check_header(record, EXAMPLE).map_err(|mistake| vec![mistake])?;
     let (mut positions, mut quantities, mut mistakes) = (Vec::new(), Vec::new(), Vec::new());
@@ -193,7 +193,7 @@ fn row(
     })
 }
 
-/// Refuses rows that turn back, and more than two at one height.
+/// Refuses rows that reverse the direction, and more than two rows at one height.
 fn check_order(rows: &[Row], text: &str, position: &Column) -> Result<(), Diagnostic> {
     let line = |row: &Row| line_and_column(text, row.span.start).0;
     for pair in rows.windows(2) {

@@ -2,7 +2,7 @@
 
 use crate::csv_table::Unit;
 
-/// What a column measures.
+/// The dimension of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Dimension {
     Length,
@@ -11,7 +11,7 @@ pub(super) enum Dimension {
     Number,
 }
 
-/// How a value in a unit becomes one in SI units.
+/// The factor from a unit to SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Factor {
     One,
@@ -21,7 +21,7 @@ pub(super) enum Factor {
     Times(f64),
 }
 
-/// Pounds-force per square foot, Pa: 0.45359237 kg · 9.80665 m/s² / (0.3048 m)².
+/// Pounds-force per square foot in Pa: 0.45359237 kg · 9.80665 m/s² / (0.3048 m)².
 const PSF: f64 = 47.880_258_980_335_84;
 
 const PRESSURES: [(&str, Factor); 15] = [
@@ -50,7 +50,7 @@ const VELOCITIES: [(&str, Factor); 4] = [
 ];
 
 impl Dimension {
-    /// The unit with a name in small letters.
+    /// The unit with a name in lower case.
     pub(super) fn unit(self, name: &str) -> Option<Factor> {
         let named = |list: &[(&str, Factor)]| {
             let found = list.iter().find(|(unit, _)| *unit == name);
@@ -97,8 +97,8 @@ pub(super) fn units(dimension: Dimension) -> String {
 }
 
 impl Factor {
-    /// The value in SI units; with a power of ten the number nearest to it, so that 1.005 kPa are
-    /// 1005 Pa to the last digit.
+    /// The value in SI units; with a power of ten it is the nearest number, so that 1.005 kPa is
+    /// exactly 1005 Pa.
     pub(super) fn si(self, value: f64) -> f64 {
         match self {
             Self::One => value,

@@ -1,4 +1,4 @@
-//! The support of a point, a body or a rod, and the end of a line, as words of the file.
+//! The support of a point, a body or a rod, and the end of a line, as the file writes them.
 
 use towermodes::mooring::{Carrier, RodEnd};
 
@@ -24,7 +24,7 @@ pub(super) enum End {
     Rod(usize, RodEnd),
 }
 
-/// A word as its letters, its number and the letters behind: `R1A` as `R`, 1 and `A`.
+/// The letters, the number and the following letters of a word: `R1A` as `R`, 1 and `A`.
 fn parts(text: &str) -> (String, Option<usize>, String) {
     let text: String = text
         .chars()
@@ -42,7 +42,7 @@ fn parts(text: &str) -> (String, Option<usize>, String) {
     (letters.to_owned(), number.parse().ok(), behind.to_owned())
 }
 
-/// Reads what holds a part; words of any length, as the programs accept them.
+/// Reads the support of a part; words of any length, as the programs accept them.
 pub(super) fn hold(row: &Row<'_>, column: &Column) -> Result<Hold, Diagnostic> {
     let token = row.token(column)?;
     let (word, number, behind) = parts(token.text);
@@ -105,7 +105,7 @@ pub(super) fn carrier(row: &Row<'_>, column: &Column) -> Result<Carrier, Diagnos
     }
 }
 
-/// Reads what a line ends at: `3`, `P3`, `Point3`, `R1A` or `Rod1B`.
+/// Reads the end of a line: `3`, `P3`, `Point3`, `R1A` or `Rod1B`.
 pub(super) fn end(row: &Row<'_>, column: &Column) -> Result<End, Diagnostic> {
     let token = row.token(column)?;
     let (word, number, behind) = parts(token.text.strip_suffix(".0").unwrap_or(token.text));
@@ -141,7 +141,7 @@ pub(super) fn index(
     let mistake = Diagnostic::new(span, DiagnosticKind::UnknownName { what, name });
     Err(mistake.with_hint(match count {
         0 => "its table has no rows".to_owned(),
-        1 => "its table has only number 1".to_owned(),
+        1 => "the only number in its table is 1".to_owned(),
         count => format!("its table has the numbers 1 to {count}"),
     }))
 }

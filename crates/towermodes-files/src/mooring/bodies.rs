@@ -65,7 +65,7 @@ fn body(row: &Row<'_>, k: usize) -> Result<MooringBody, Diagnostic> {
     })
 }
 
-/// Three numbers between bars, or one that stands for three.
+/// Three numbers between bars, or one that applies to all three.
 fn one_or_three(
     row: &Row<'_>,
     column: &Column,
@@ -82,7 +82,8 @@ fn one_or_three(
     }
 }
 
-/// The coefficients of added mass are numbers, which have no effect at rest, but not a table.
+/// Checks that the coefficients of added mass, which have no effect at rest, are numbers and not a
+/// table.
 fn check_added(row: &Row<'_>) -> Result<(), Diagnostic> {
     let token = row.token(&ADDED)?;
     if row.bars(&ADDED).is_ok() {

@@ -1,10 +1,11 @@
-//! The columns of the tables, by the names that they have had.
+//! The columns of the tables, with all names that they have in different versions.
 
-/// Whose file it is, for files whose columns have other names: those are taken by their order.
+/// The program of a file, for files with other column names: then columns are identified by their
+/// order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Layout {
     MoorDyn2,
-    /// With the number of rows above each table.
+    /// MoorDyn 1, with the number of rows above each table.
     MoorDyn1,
     Map,
 }
@@ -14,7 +15,7 @@ pub(super) enum Layout {
 pub(super) struct Column {
     /// Its name in messages.
     pub(super) name: &'static str,
-    /// The names that files give it, as of [`plain`].
+    /// The names that files give it, in the form of [`plain`].
     names: &'static [&'static str],
     /// Its index in MoorDyn 2, MoorDyn 1 and MAP++.
     order: [Option<usize>; 3],
@@ -43,7 +44,7 @@ impl Column {
         Self { name, names, order }
     }
 
-    /// Its index by the names in a file.
+    /// Its index according to the names in a file.
     pub(super) fn named(&self, header: &[String]) -> Option<usize> {
         let is_it = |name: &String| self.names.contains(&name.as_str());
         header.iter().position(is_it)
@@ -59,7 +60,7 @@ impl Column {
     }
 }
 
-/// A name without what differs between files: letters and digits in lower case.
+/// A name without differences between files: letters and digits in lower case.
 pub(super) fn plain(name: &str) -> String {
     let letters = name.chars().filter(char::is_ascii_alphanumeric).take(40);
     letters.map(|letter| letter.to_ascii_lowercase()).collect()

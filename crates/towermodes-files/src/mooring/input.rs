@@ -13,8 +13,8 @@ use crate::note::Note;
 use crate::places::{Rows, of_rows};
 use crate::source::Source;
 
-/// Depth, density of the water and gravity where a file of a mooring system does not give them: a
-/// `.fst` file has them for all its modules.
+/// Depth, density of the water and gravity, used if a file of a mooring system does not give them:
+/// a `.fst` file contains them for all its modules.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MooringSite {
     /// Depth of the seabed below still water, m.
@@ -28,15 +28,15 @@ pub struct MooringSite {
 /// A mooring system as its file describes it.
 #[derive(Debug, Clone)]
 pub struct MooringInput {
-    /// The content of the file. Its reference point is the origin; it may be changed.
+    /// The content of the file, which may be changed. Its reference point is the origin.
     pub description: MooringDescription,
-    /// Notes on what the reader decided or left out.
+    /// Notes on decisions of the reader and omitted data.
     pub notes: Vec<Note>,
     pub(crate) source: Source,
     pub(super) spans: Spans,
 }
 
-/// The bytes of the rows of a file.
+/// The byte ranges of the rows of a file.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Spans {
     pub(crate) site: Range<usize>,
@@ -65,7 +65,7 @@ impl MooringInput {
     /// The mooring system.
     ///
     /// # Errors
-    /// [`ReadError::Mistakes`] at the line of what no mooring system can have.
+    /// [`ReadError::Mistakes`] at the line of a value that is impossible for a mooring system.
     pub fn mooring(&self) -> Result<Mooring, ReadError> {
         Mooring::with_anchors_on_seabed(self.description.clone())
             .map_err(|error| self.mistake(error))
@@ -74,8 +74,8 @@ impl MooringInput {
     /// The mooring system at the reference pose of the platform.
     ///
     /// # Errors
-    /// [`ReadError::Mistakes`] at the line of a line that cannot reach, or of a free part without
-    /// an equilibrium.
+    /// [`ReadError::Mistakes`] at the row of a line that is too short to reach its ends, or of a
+    /// free part without an equilibrium.
     pub fn at_rest(&self, mooring: &Mooring) -> Result<MooringState, ReadError> {
         let state = mooring.at(&Pose::default());
         state.map_err(|error| self.mistake(error))
@@ -102,7 +102,7 @@ impl MooringInput {
         notes.collect()
     }
 
-    /// The bytes of each part, for a tower that has these lines.
+    /// The byte range of each part, for a tower that has these lines.
     pub(crate) fn places(&self) -> impl Iterator<Item = (Place, Range<usize>)> {
         self.items()
             .map(|(item, span)| (Place::Mooring { item }, span))
@@ -121,12 +121,12 @@ impl MooringInput {
         site.chain(of_rows(kinds))
     }
 
-    /// The file it was read from.
+    /// The file that was read.
     pub fn file(&self) -> &str {
         &self.source.name
     }
 
-    /// The bytes of what an error is about.
+    /// The byte range of the part that an error is about.
     fn span(&self, error: &MooringError) -> Option<Range<usize>> {
         match error {
             MooringError::NoLines | MooringError::NotAtPlatform => Some(self.spans.heading.clone()),
@@ -134,7 +134,7 @@ impl MooringInput {
         }
     }
 
-    /// The bytes of the row of a part.
+    /// The byte range of the row of a part.
     fn row(&self, item: MooringItem) -> Option<Range<usize>> {
         let found = self.items().find(|(own, _)| *own == item);
         found.map(|(_, span)| span)

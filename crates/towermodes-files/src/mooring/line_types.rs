@@ -29,7 +29,7 @@ const STIFFNESS: Column = Column::new("EA", &["ea"], 3);
 const FRICTION: Column = Column::ordered("CB", &["cb"], [None, None, Some(4)]);
 const BENDING: Column = Column::ordered("EI", &["ei"], [Some(5), None, None]);
 
-/// The columns without which there is no line type.
+/// The columns that a line type must have.
 pub(super) const NEEDED: [Column; 4] = [NAME, DIAMETER, MASS, STIFFNESS];
 /// All columns that are read.
 pub(super) const READ: [Column; 5] = [NAME, DIAMETER, MASS, STIFFNESS, FRICTION];
@@ -74,7 +74,7 @@ pub(super) fn line_types<'a>(
     Ok(found)
 }
 
-/// EA: a number, or `static|dynamic` of ropes whose stiffness depends on the speed of loading.
+/// EA: a number, or `static|dynamic` for ropes whose stiffness depends on the loading rate.
 fn stiffness(row: &Row<'_>, source: &Source, notes: &mut Vec<Note>) -> Result<f64, Diagnostic> {
     let token = row.token(&STIFFNESS)?;
     let values = row.bars(&STIFFNESS);
@@ -117,8 +117,8 @@ fn is_file_name(text: &str) -> bool {
 }
 
 impl LineTypes<'_> {
-    /// The note on types that float where others do not: the modules that hold a line up, and no
-    /// mistake in the unit of the masses.
+    /// The note on types that float where others do not: the buoyancy modules of a line, which are
+    /// not a mistake in the unit of the masses.
     pub(super) fn buoyant(
         &self,
         table: &Rows<'_>,
@@ -134,7 +134,7 @@ impl LineTypes<'_> {
         let buoyant = buoyant.filter(|(_, of)| floats(of));
         let names: Vec<String> = buoyant.map(|(name, _)| quoted(name)).collect();
         let message = format!(
-            "these line types are lighter than the water that they displace, and hold up the lines of the others: {}",
+            "these line types are lighter than the water that they displace, so they lift the lines of the other types: {}",
             names.join(", ")
         );
         Some(Note::new(message).at(source, table.rows[first].span().start))

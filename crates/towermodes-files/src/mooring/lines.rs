@@ -44,11 +44,11 @@ const SECOND: Column = Column::ordered(
     ],
     [Some(3), Some(5), Some(4)],
 );
-/// What MAP++ is told of a line, in as many words as needed.
+/// The flags of MAP++ for a line, in any number of words.
 pub(super) const FLAGS: Column =
     Column::ordered("Flags", &["flags", "flag"], [None, None, Some(5)]);
 
-/// The columns without which there is no line.
+/// The columns that a line must have.
 pub(super) const NEEDED: [Column; 5] = [ID, TYPE, LENGTH, FIRST, SECOND];
 
 /// Reads the table; points at the ends of rods are added.
@@ -80,7 +80,7 @@ pub(super) fn lines(
     .collect()
 }
 
-/// The length of a line; MAP++ finds one that begins with `#`.
+/// The length of a line; MAP++ computes a length that begins with `#`.
 fn length_m(row: &Row<'_>) -> Result<f64, Diagnostic> {
     let token = row.token(&LENGTH)?;
     if token.text.starts_with('#') {

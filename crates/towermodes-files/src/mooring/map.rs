@@ -1,4 +1,4 @@
-//! Reads a file of MAP++ as a whole.
+//! Reads a file of MAP++ completely.
 
 use towermodes::mooring::{Attachment, MooringDescription, MooringPoint, Pose};
 
@@ -19,13 +19,15 @@ use crate::note::Note;
 use crate::records::{Line, Token};
 use crate::source::Source;
 
-/// Options that decide how MAP++ iterates and what it prints.
+/// Options that control the iterations and the output of MAP++.
 const SOLVER: &str = "help, integration_dt, kb_default, cb_default, wave_kinematics, lm_model, inner_ftol, inner_gtol, inner_xtol, inner_max_its, outer_tol, outer_max_its, outer_fd, outer_bd, outer_cd, pg_cooked, krylov_accelerator, powell, ref_position";
 
-/// Reads an input file of MAP++; `site` has depth, density and gravity, which the file has not.
+/// Reads an input file of MAP++; `site` gives depth, density and gravity, which the file does not
+/// contain.
 ///
 /// # Errors
-/// The first mistake in the file, at its place: also what no mooring system can have.
+/// The first mistake in the file, at its place, including values that are impossible for a mooring
+/// system.
 pub fn read_map(source: Source, site: &MooringSite) -> Result<MooringInput, ReadError> {
     let found = found(&source, site).map_err(|mistake| ReadError::mistake(&source, mistake))?;
     let Found {
@@ -56,12 +58,12 @@ pub(crate) fn is_map(text: &str) -> bool {
         && !words.contains("NUMSEG")
 }
 
-/// What the file says.
+/// The content of the file.
 struct Found {
     description: MooringDescription,
     notes: Vec<Note>,
     spans: Spans,
-    /// Lines that do not touch the seabed (`omit_contact`), with the place of the word.
+    /// Lines without contact with the seabed (`omit_contact`), with the place of the word.
     without_contact: Vec<(usize, std::ops::Range<usize>)>,
 }
 
@@ -136,8 +138,8 @@ fn found(source: &Source, site: &MooringSite) -> Result<Found, Diagnostic> {
     })
 }
 
-/// The word by which a line does not touch the seabed; other words ask for output, except for
-/// springs, which are refused.
+/// The word that disables the contact of a line with the seabed; other words request output, except
+/// for springs, which are refused.
 fn no_contact<'r, 'a>(row: &'r Row<'a>) -> Result<Option<&'r Token<'a>>, Diagnostic> {
     let find = |flag: &str| {
         let mut flags = row.from(&lines::FLAGS).iter();
@@ -195,7 +197,7 @@ fn angles(
 }
 
 impl MooringInput {
-    /// Refuses lines on the seabed that shall not touch it.
+    /// Refuses lines on the seabed whose contact with the seabed is disabled.
     fn check_contact(
         &self,
         without_contact: &[(usize, std::ops::Range<usize>)],

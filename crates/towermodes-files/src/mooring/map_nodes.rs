@@ -1,7 +1,7 @@
 //! The table of nodes of MAP++.
 //!
-//! A number behind `#` is a guess of a value that MAP++ finds, and `#` alone is such a value
-//! without a guess: forces of held nodes, positions of nodes that connect lines.
+//! A number after `#` is an initial guess of a value that MAP++ computes, and `#` alone is such a
+//! value without a guess: forces of fixed nodes, positions of nodes that connect lines.
 
 use towermodes::mooring::{Attachment, MooringPoint};
 
@@ -57,7 +57,7 @@ fn node(row: &Row<'_>, k: usize) -> Result<ReadPoint, Diagnostic> {
     })
 }
 
-/// A coordinate, of a free node also one behind `#`.
+/// A coordinate; for a free node also one after `#`.
 fn position(row: &Row<'_>, column: &Column, is_free: bool) -> Result<f64, Diagnostic> {
     let token = row.token(column)?;
     match token.text.strip_prefix('#').filter(|_| is_free) {
@@ -72,7 +72,7 @@ fn position(row: &Row<'_>, column: &Column, is_free: bool) -> Result<f64, Diagno
     }
 }
 
-/// Mass or volume, which MAP++ finds where a connection shall stay at its place.
+/// Mass or volume, which MAP++ can compute so that a connection stays at its position.
 fn load(row: &Row<'_>, column: &Column, is_free: bool) -> Result<f64, Diagnostic> {
     let Some(token) = row.get(column).filter(|token| token.text.starts_with('#')) else {
         return row.number_or_0(column);
@@ -89,7 +89,7 @@ fn load(row: &Row<'_>, column: &Column, is_free: bool) -> Result<f64, Diagnostic
     Err(row.unsupported(column, message).with_hint(hint))
 }
 
-/// Refuses external forces on a free node, and forces that hold it.
+/// Refuses external forces on a free node, including those that would keep it in place.
 fn check_forces(row: &Row<'_>) -> Result<(), Diagnostic> {
     for column in &FORCES {
         let Some(token) = row.get(column) else {

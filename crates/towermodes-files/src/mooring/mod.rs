@@ -2,7 +2,7 @@
 //!
 //! Sources: `MD_Init` in `MoorDyn.f90` and `Rod_Setup` in `MoorDyn_Rod.f90` (OpenFAST); the input
 //! file in the documentation of MAP++. Tables are found by the words of their headings and columns
-//! by their names, because files of all versions differ in the order of their columns.
+//! by their names, because files of different versions differ in the order of their columns.
 
 mod attachment;
 mod bodies;

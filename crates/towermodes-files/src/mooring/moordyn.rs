@@ -1,4 +1,4 @@
-//! Reads a file of MoorDyn as a whole.
+//! Reads a file of MoorDyn completely.
 
 use std::ops::Range;
 
@@ -21,10 +21,11 @@ use crate::error::ReadError;
 use crate::note::Note;
 use crate::source::Source;
 
-/// Reads an input file of MoorDyn, version 1 or 2; `site` has what it may leave out.
+/// Reads an input file of MoorDyn, version 1 or 2; `site` gives values that it may omit.
 ///
 /// # Errors
-/// The first mistake in the file, at its place: also what no mooring system can have.
+/// The first mistake in the file, at its place, including values that are impossible for a mooring
+/// system.
 ///
 /// # Example
 /// ```no_run
@@ -119,7 +120,7 @@ fn found(
     Ok((description, notes, spans))
 }
 
-/// Everything but the lines.
+/// Everything except the lines.
 struct Parts<'a> {
     line_types: Rows<'a>,
     points: Vec<points::ReadPoint>,
@@ -178,7 +179,7 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// The rows of a table, in the order of MoorDyn 1 where the number of rows is above them.
+/// The rows of a table, in the column order of MoorDyn 1 if the number of rows precedes them.
 fn rows<'a>(table: &Table<'a>, needed: &[Column]) -> Result<Rows<'a>, Diagnostic> {
     let layout = match table.count() {
         Some(_) => Layout::MoorDyn1,
@@ -216,7 +217,8 @@ fn check_kind(text: &str) -> Result<(), Diagnostic> {
     Err(Diagnostic::new(0..0, DiagnosticKind::WrongFile { found }).with_hint(hint))
 }
 
-/// Notes on sections that have no effect at rest; loads on points have, and are refused.
+/// Notes on sections that have no effect at rest; loads on points, which have an effect, are
+/// refused.
 fn left_out(tables: &Tables<'_>, source: &Source) -> Result<Vec<Note>, Diagnostic> {
     let mut notes = Vec::new();
     for heading in &tables.unknown {

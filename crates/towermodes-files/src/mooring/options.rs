@@ -47,16 +47,16 @@ const TIME: [&str; 27] = [
     "disableouttime",
 ];
 
-/// The options that decide the mooring at rest.
+/// The options that determine the mooring at rest.
 #[derive(Debug, Default)]
 pub(super) struct Options<'a> {
     pub(super) depth_m: Option<f64>,
     pub(super) density_kg_per_m3: Option<f64>,
     pub(super) gravity_m_per_s2: Option<f64>,
-    /// The heading, or the depth.
+    /// The byte range of the heading, or of the depth.
     pub(super) span: Range<usize>,
     pub(super) notes: Vec<Note>,
-    /// The options of the simulation in time, and the byte of their heading.
+    /// The options of the simulation in time, with the byte of their heading.
     pub(super) of_time: Vec<&'a str>,
     pub(super) heading: usize,
 }
@@ -104,7 +104,7 @@ pub(super) fn options<'a>(table: &Table<'a>, source: &Source) -> Result<Options<
     Ok(found)
 }
 
-/// The depth, which may be the name of a file with depths.
+/// The depth; the name of a file with depths is refused.
 fn depth(value: &Token<'_>) -> Result<f64, Diagnostic> {
     let what = "WtrDpth (depth of the water)";
     let mistake = match value.number(what) {
@@ -133,7 +133,7 @@ fn zero(value: &Token<'_>) -> bool {
     value.number("").is_ok_and(|value| value == 0.0)
 }
 
-/// An option that is not known, unless value and name are exchanged.
+/// The note on an unknown option, unless value and name are exchanged.
 fn unknown(value: &Token<'_>, name: &str) -> Result<Note, Diagnostic> {
     let first = plain(value.text);
     let is_name = |names: &[&str]| names.contains(&first.as_str());

@@ -33,7 +33,7 @@ pub(super) const FORCES: [Column; 3] = [
     Column::ordered("FZ", &["fz"], [None, Some(9), Some(9)]),
 ];
 
-/// The columns without which there is no point.
+/// The columns that a point must have.
 pub(super) const NEEDED: [Column; 5] = [ID, TYPE, X, Y, Z];
 /// All columns that are read.
 pub(super) const READ: [Column; 10] = [
@@ -44,12 +44,12 @@ pub(super) const READ: [Column; 10] = [
 #[derive(Debug, Clone)]
 pub(super) struct ReadPoint {
     pub(super) point: MooringPoint,
-    /// Whether it is on the seabed by a word in place of its height.
+    /// Whether a word instead of its height places it on the seabed.
     pub(super) is_on_seabed: bool,
     pub(super) span: Range<usize>,
 }
 
-/// Reads the table; there are as many bodies as `bodies`.
+/// Reads the table; `bodies` is the number of bodies.
 pub(super) fn points(table: &Rows<'_>, bodies: usize) -> Result<Vec<ReadPoint>, Diagnostic> {
     let rows = table.rows.iter().enumerate();
     rows.map(|(k, row)| point(row, k, bodies)).collect()

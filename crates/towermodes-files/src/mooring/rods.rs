@@ -1,4 +1,4 @@
-//! The tables of rods of MoorDyn: their types, and where they are.
+//! The tables of rods of MoorDyn: their types and their positions.
 
 use towermodes::mooring::MooringRod;
 

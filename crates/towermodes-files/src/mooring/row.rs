@@ -7,15 +7,15 @@ use super::column::{Column, Layout};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Token};
 
-/// No row has more values.
+/// Largest number of values of a row.
 const MOST: usize = 64;
 
 /// The columns of a table.
 #[derive(Debug)]
 pub(super) struct Header {
-    /// The names, as of `plain`.
+    /// The names in the form of `plain`.
     pub(super) names: Vec<String>,
-    /// Whose order the columns have, if their names are not known.
+    /// The program whose column order is used, if the names are not known.
     pub(super) unnamed: Option<Layout>,
 }
 
@@ -34,7 +34,7 @@ pub(super) struct Row<'a> {
     line: Line<'a>,
     tokens: Vec<Token<'a>>,
     header: Rc<Header>,
-    /// What it is in messages: `row 2 of POINTS`.
+    /// The name of the row in messages: `row 2 of POINTS`.
     name: String,
 }
 
@@ -110,7 +110,7 @@ impl<'a> Row<'a> {
         values
     }
 
-    /// Checks that its number is that of its place, as MoorDyn and MAP++ do.
+    /// Checks that its number equals its position, as MoorDyn and MAP++ do.
     pub(super) fn check_id(&self, column: &Column, index: usize) -> Result<(), Diagnostic> {
         let token = self.token(column)?;
         let what = self.what(column);
@@ -125,12 +125,12 @@ impl<'a> Row<'a> {
         Err(token.wrong(DiagnosticKind::out_of_range(what, value, rule)))
     }
 
-    /// What a value is in messages.
+    /// The name of a value in messages.
     pub(super) fn what(&self, column: &Column) -> String {
         format!("{} in {}", column.name, self.name)
     }
 
-    /// The content of a value that is not modelled, at its place.
+    /// The mistake of a value that is not modelled, at its place.
     pub(super) fn unsupported(&self, column: &Column, message: String) -> Diagnostic {
         let span = self.get(column).map_or(self.span(), |t| t.span.clone());
         Diagnostic::new(span, DiagnosticKind::Unsupported(message))

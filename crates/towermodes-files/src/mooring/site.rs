@@ -1,4 +1,4 @@
-//! Depth, density and gravity: of the file, else of the caller, else assumed.
+//! Depth, density and gravity: from the file, otherwise from the caller, otherwise assumed.
 
 use towermodes::mooring::{Attachment, MooringDescription};
 
@@ -38,7 +38,8 @@ pub(super) fn water(site: &MooringSite, notes: &mut Vec<Note>) -> (f64, f64) {
     )
 }
 
-/// The depth of the water. If it is not given, the depth of the anchors, if they are at one depth.
+/// The depth of the water. If it is not given, it is the depth of the anchors, provided they have
+/// the same depth.
 pub(super) fn depth_m(
     given_m: Option<f64>,
     points: &[ReadPoint],
@@ -61,8 +62,8 @@ pub(super) fn depth_m(
     Ok(anchors_m)
 }
 
-/// The depth of all anchors and the place of the first one, if it is one depth, and if nothing is
-/// below them.
+/// The depth of all anchors and the place of the first one, if they have the same depth and nothing
+/// is below them.
 fn anchors(points: &[ReadPoint]) -> Option<(f64, usize)> {
     if points.iter().any(|read| read.is_on_seabed) {
         return None;

@@ -12,10 +12,10 @@ use crate::note::Note;
 use crate::records::{Line, Lines, Token};
 use crate::source::Source;
 
-/// No mooring has more lines, points or bodies.
+/// Largest number of lines, points or bodies.
 pub(super) const MOST_ROWS: usize = 2000;
 
-/// No table has more columns.
+/// Largest number of columns of a table.
 const MOST_COLUMNS: usize = 64;
 
 /// The sections of a file.
@@ -34,7 +34,8 @@ pub(super) enum Kind {
     Outputs,
 }
 
-/// A section: its name in messages, and words of its heading, in the order of the search.
+/// A section: its kind, its name in messages, and words of its heading; the order is that of the
+/// search.
 type Known = (Kind, &'static str, &'static [&'static str]);
 
 #[rustfmt::skip]
@@ -56,7 +57,7 @@ const SECTIONS: [Known; 11] = [
 #[derive(Debug)]
 pub(super) struct Table<'a> {
     pub(super) kind: Kind,
-    /// The heading.
+    /// The byte range of the heading.
     pub(super) span: Range<usize>,
     lines: Vec<Line<'a>>,
 }
@@ -65,7 +66,7 @@ pub(super) struct Table<'a> {
 #[derive(Debug)]
 pub(super) struct Tables<'a> {
     found: Vec<Table<'a>>,
-    /// Headings that are not known.
+    /// Unknown headings.
     pub(super) unknown: Vec<Line<'a>>,
 }
 
@@ -92,7 +93,7 @@ impl<'a> Tables<'a> {
         Ok(tables)
     }
 
-    /// Begins a section; false if its heading is not known.
+    /// Begins a section; false if its heading is unknown.
     fn begin(&mut self, heading: Line<'a>) -> Result<bool, Diagnostic> {
         let words = heading.text.to_ascii_uppercase();
         let is_title = words.contains("INPUT FILE");
@@ -122,7 +123,7 @@ impl<'a> Tables<'a> {
         self.found.iter().find(|table| table.kind == kind)
     }
 
-    /// A table that each file has.
+    /// A table that each file must have.
     pub(super) fn expect(&self, kind: Kind) -> Result<&Table<'a>, Diagnostic> {
         let missing = || {
             let what = format!("the table {}", kind.name());
@@ -158,12 +159,12 @@ pub(super) struct Rows<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// The lines without a header, as of the options.
+    /// The lines of a section without a header, such as the options.
     pub(super) fn lines(&self) -> &[Line<'a>] {
         &self.lines
     }
 
-    /// Whether the number of rows is above the names of the columns, as in MoorDyn 1.
+    /// The number of rows, if it precedes the names of the columns, as in MoorDyn 1.
     pub(super) fn count(&self) -> Option<Token<'a>> {
         let mut tokens = self.lines.first()?.tokens();
         let first = tokens.next().filter(Token::is_number)?;
@@ -172,7 +173,8 @@ impl<'a> Table<'a> {
         Some(first)
     }
 
-    /// Its rows; columns without any of the names of `needed` are taken in the order of the layout.
+    /// Its rows; if the columns have none of the names of `needed`, they are read in the order of
+    /// the layout.
     pub(super) fn rows(&self, needed: &[Column], layout: Layout) -> Result<Rows<'a>, Diagnostic> {
         let count = self.count();
         let mut lines = self.lines.iter().skip(usize::from(count.is_some()));
@@ -220,7 +222,8 @@ impl<'a> Table<'a> {
     }
 }
 
-/// The names as of [`plain`]; one that occurs again, as Y0 and y0 of bodies, with a 2.
+/// The names in the form of [`plain`]; a name that occurs again, such as Y0 and y0 of bodies, gets
+/// a 2.
 fn distinct(names: &[&str]) -> Vec<String> {
     let mut distinct: Vec<String> = Vec::new();
     for name in names.iter().take(MOST_COLUMNS) {
@@ -249,8 +252,7 @@ fn check_count(count: Option<Token<'_>>, rows: usize, title: &str) -> Result<(),
 }
 
 impl<'a> Rows<'a> {
-    /// Adds the columns that are not read to those that are not used; the note on names that are
-    /// not known.
+    /// Adds the columns that are not read to the unused ones; returns the note on unknown names.
     pub(super) fn note_unused(
         &self,
         read: &[Column],

@@ -3,7 +3,7 @@
 use crate::note::Note;
 use crate::source::Source;
 
-/// Columns and options that are not used, which one note names.
+/// Unused columns and options, which a common note lists.
 #[derive(Debug, Default)]
 pub(super) struct Unused {
     what: Vec<String>,
@@ -20,7 +20,7 @@ impl Unused {
         }
     }
 
-    /// The note on all of them, at the first table.
+    /// The common note, at the first table.
     pub(super) fn note(&self, source: &Source) -> Option<Note> {
         let message = format!(
             "not used by lines at rest: {} (damping, drag, added mass, segments, and settings of the simulation or iteration have no effect)",

@@ -1,27 +1,27 @@
-//! The values of a record as a list-directed read of Fortran takes them: repeats, empty values,
-//! an early end.
+//! The values of a record as in a list-directed read of Fortran: repeats, empty values, an early
+//! end.
 
 use super::line::Line;
 use super::token::Token;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// No list of a deck is longer than this.
+/// Largest length of a list in a deck.
 pub(crate) const MAX_COUNT: usize = 100_000;
 /// Largest number of values that are read from a line, because a line may be as long as a file.
 const MAX_TOKENS: usize = 2 * MAX_COUNT;
 
-/// A value of a record, its repeats, and the commas between it and the value before.
+/// A value of a record, its repeats, and the commas between it and the previous value.
 #[derive(Debug, Clone)]
 pub(crate) struct Item<'a> {
     /// The value.
     pub(crate) token: Token<'a>,
     /// Number of repetitions: `3*0.0` is three zeros.
     pub(crate) repeats: usize,
-    /// Commas since the value before it, or since the record's start.
+    /// Number of commas since the previous value, or since the start of the record.
     pub(crate) commas: usize,
 }
 
-/// The values of a record one after the other, with the text between them.
+/// The values of a record one after another, with the text between them.
 #[derive(Debug)]
 pub(crate) struct Items<'a> {
     line: Line<'a>,
@@ -51,7 +51,7 @@ impl<'a> Items<'a> {
         }))
     }
 
-    /// The next value without taking it.
+    /// The next value, which is not consumed.
     pub(crate) fn peek(&self) -> Option<&Token<'a>> {
         self.tokens.get(self.next)
     }
@@ -63,19 +63,19 @@ impl<'a> Items<'a> {
         rest.find(|token| token.text.contains(char::is_alphanumeric) && !token.is_number())
     }
 
-    /// Whether the next value is a number that follows by a comma and nothing else.
+    /// Whether the next value is a number after a comma without blanks.
     pub(crate) fn is_joined_number_next(&self) -> bool {
         let is_number = self.peek().is_some_and(|token| token.is_number());
         self.next > 0 && is_number && self.gap_before(self.next) == ","
     }
 
-    /// Number of values before other content.
+    /// Number of remaining values before other content.
     pub(crate) fn numbers_left(&self) -> usize {
         let rest = self.tokens[self.next.min(self.tokens.len())..].iter();
         rest.take_while(|token| token.is_number()).count()
     }
 
-    /// Commas after the last value.
+    /// Number of commas after the last value.
     pub(crate) fn commas_left(&self) -> usize {
         commas(
             self.gap_before(self.tokens.len())
@@ -92,7 +92,7 @@ impl<'a> Items<'a> {
             .starts_with('/')
     }
 
-    /// The text between a value, or the end of the record, and the value before.
+    /// The text between a value, or the end of the record, and the previous value.
     fn gap_before(&self, index: usize) -> &'a str {
         let base = self.line.start;
         let from = match index.checked_sub(1) {

@@ -15,7 +15,7 @@ pub(crate) struct Line<'a> {
 }
 
 impl<'a> Line<'a> {
-    /// Its bytes in the file.
+    /// Its byte range in the file.
     pub(crate) fn span(&self) -> Range<usize> {
         self.start..self.start + self.text.len()
     }
@@ -30,8 +30,8 @@ impl<'a> Line<'a> {
         self.tokens().next()
     }
 
-    /// The word after the first value where this value takes the rest of the line: a path that is
-    /// not in quotes ends at its first slash, and a quote that is not closed ends nowhere.
+    /// The word after the first value if this value extends over the rest of the line: a path
+    /// without quotes ends at its first slash, and an unclosed quote has no end.
     pub(crate) fn name_behind_path(&self) -> Option<&'a str> {
         let mut words = self.text.split_whitespace();
         let first = words.next()?;
@@ -44,8 +44,8 @@ impl<'a> Line<'a> {
     /// The name of a file, which is its first value.
     ///
     /// # Errors
-    /// A quote that is not closed, or a name without quotes that ends at a slash: no program that
-    /// reads these files finds it.
+    /// An unclosed quote, or a name without quotes that ends at a slash: programs that read these
+    /// files do not find such a file.
     pub(crate) fn file_name(&self, what: &str) -> Result<Option<Token<'a>>, Diagnostic> {
         let Some(token) = self.first() else {
             return Ok(None);
@@ -67,8 +67,8 @@ impl<'a> Line<'a> {
     }
 
     /// The number after a decimal comma, as in `87,6`: a comma between two numbers without a blank,
-    /// where there are no other numbers or where the others are separated by blanks. In Fortran
-    /// the comma ends the number.
+    /// if there are no other numbers or the others are separated by blanks. In Fortran the comma
+    /// ends the number.
     fn decimal_comma(&self) -> Option<Token<'a>> {
         let numbers: Vec<Token<'a>> = self.tokens().take_while(Token::is_number).collect();
         let is_joined = |pair: &[Token<'a>]| {
@@ -92,7 +92,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// Whether it is blank.
+    /// Whether the line is blank.
     pub(crate) fn is_blank(&self) -> bool {
         self.text.trim().is_empty()
     }
@@ -105,11 +105,11 @@ pub(crate) fn decimal_comma(what: &str, rest: &Token<'_>) -> Diagnostic {
         rest: rest.text.chars().take(40).collect(),
     };
     rest.wrong(kind).with_hint(
-        "write a decimal point, as 3.5, no comma between thousands, and a blank between values",
+        "write a decimal point, for example 3.5, no comma between thousands, and a blank between values",
     )
 }
 
-/// The lines of a file one after the other.
+/// The lines of a file one after another.
 #[derive(Debug, Clone)]
 pub(crate) struct Lines<'a> {
     text: &'a str,
@@ -123,17 +123,17 @@ impl<'a> Lines<'a> {
         Self { text, next }
     }
 
-    /// The next line without reading past it.
+    /// The next line, which is not consumed.
     pub(crate) fn peek(&self) -> Option<Line<'a>> {
         self.clone().next()
     }
 
-    /// The next line, or what was expected there.
+    /// The next line, or the mistake that `what` is missing.
     pub(crate) fn expect(&mut self, what: &str) -> Result<Line<'a>, Diagnostic> {
         self.next().ok_or_else(|| self.ended(what))
     }
 
-    /// The next line that is not blank, or what was expected there.
+    /// The next line that is not blank, or the mistake that `what` is missing.
     pub(crate) fn expect_filled(&mut self, what: &str) -> Result<Line<'a>, Diagnostic> {
         self.by_ref()
             .find(|line| !line.is_blank())

@@ -1,4 +1,4 @@
-//! Lines of values as Fortran programs read them, with the place of each value.
+//! Lines of values in the format that Fortran programs read, with the place of each value.
 
 mod items;
 mod line;

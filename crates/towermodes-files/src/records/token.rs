@@ -9,15 +9,15 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 pub(crate) struct Token<'a> {
     /// The text, without quotes.
     pub(crate) text: &'a str,
-    /// Its bytes in the file, with the quotes.
+    /// Its byte range in the file, including quotes.
     pub(crate) span: Range<usize>,
     /// Whether it is in quotes.
     pub(crate) is_quoted: bool,
 }
 
 impl Token<'_> {
-    /// The finite number; exponents may be written with d or, if they have three digits, without a
-    /// letter, as Fortran does.
+    /// The finite number; as in Fortran, exponents may be written with d or, if they have three
+    /// digits, without a letter.
     pub(crate) fn number(&self, what: &str) -> Result<f64, Diagnostic> {
         let with_e = || self.text.replace(['d', 'D'], "e").parse::<f64>().ok();
         let parsed = match self.is_quoted {
@@ -89,7 +89,7 @@ fn without_letter(text: &str) -> Option<f64> {
     }
 }
 
-/// The values of a line, one after the other.
+/// The values of a line, one after another.
 #[derive(Debug, Clone)]
 pub(crate) struct Tokens<'a> {
     text: &'a str,
@@ -109,7 +109,7 @@ fn is_gap(c: char) -> bool {
     c.is_whitespace() || c == ','
 }
 
-/// Bytes before the next value. Almost all gaps are a few spaces, which need no decoding.
+/// Number of bytes before the next value. Almost all gaps are a few spaces, which need no decoding.
 fn gap_length(text: &str) -> usize {
     let spaces = text.bytes().take_while(|byte| *byte == b' ').count();
     let rest = &text[spaces..];
@@ -119,7 +119,7 @@ fn gap_length(text: &str) -> usize {
     }
 }
 
-/// Bytes of the value that begins a text: up to the next gap or slash.
+/// Number of bytes of the value at the beginning of a text: up to the next gap or slash.
 fn value_length(text: &str) -> usize {
     let is_inside = |byte: &u8| byte.is_ascii_graphic() && !matches!(*byte, b',' | b'/');
     let plain = text.bytes().take_while(is_inside).count();

@@ -51,7 +51,7 @@ struct BladeSummary<'a> {
 /// Writes the modes of a blade as indented JSON with a newline at the end.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_blade_json(
     blade: &Blade,
     solution: &BladeSolution,
@@ -97,7 +97,7 @@ static COLUMNS: [Column<BladeMode>; 11] = [
 /// Writes the modes of a blade as CSV with a header.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_blade_csv(solution: &BladeSolution, writer: impl Write) -> Result<(), ResultError> {
     write_columns_csv(&COLUMNS, &solution.modes, writer)
 }

@@ -28,7 +28,7 @@ pub struct CalibrationDocument {
     pub degrees_of_freedom: usize,
     /// Number of iterations.
     pub iterations: usize,
-    /// Whether the measurements are of the same modes before and after the fit.
+    /// Whether the measurements are assigned to the same modes before and after the fit.
     pub is_pairing_stable: bool,
     /// Whether the certificate of the fitted tower proves that no mode is missing.
     pub certified: bool,
@@ -65,8 +65,8 @@ pub struct FittedNumber {
     pub prior_residual: Option<f64>,
     /// The bound that it has reached, `lower` or `upper`; null for none.
     pub at_bound: Option<&'static str>,
-    /// The measurements and priors that decide it, with their shares of its variance; empty at a
-    /// bound.
+    /// The measurements and priors that mainly determine it, with their shares of its variance;
+    /// empty at a bound.
     pub decided_by: Vec<FittedShare>,
 }
 
@@ -100,7 +100,8 @@ pub struct FittedFrequency {
     pub fitted_hz: f64,
     /// Fitted minus measured frequency, in standard deviations.
     pub residual: f64,
-    /// The share of the family of its name in the energy of the mode of the fitted tower.
+    /// The share of the type of motion that its name states in the energy of the mode of the fitted
+    /// tower.
     pub share: f64,
 }
 
@@ -121,7 +122,7 @@ pub struct FittedDirection {
 /// Writes the result of a calibration as indented JSON with a newline at the end.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_calibration_json(
     document: &CalibrationDocument,
     writer: impl Write,

@@ -1,4 +1,4 @@
-//! A rotor's excitations against natural frequencies, as JSON and as CSV.
+//! The excitations of a rotor and the natural frequencies, as JSON and as CSV.
 
 use std::io::Write;
 
@@ -16,12 +16,12 @@ use crate::input::Note;
 /// The result of `towermodes campbell`: the diagram with the tower and the notes of the reader.
 ///
 /// The rows of `margins` repeat the label of their line, and the multiple that crosses a mode is a
-/// key of its own, so lines, distances and classes have their own structures here.
+/// separate key; therefore lines, distances and classes have their own structures here.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct CampbellDocument<'a> {
-    /// The worst verdict; at best `warn` where the list of modes does not cover all excitations;
-    /// `undecided` where nothing is checked.
+    /// The worst verdict; at best `warn` if the list of modes does not cover all excitations;
+    /// `undecided` if nothing is checked.
     verdict: Verdict,
     /// Why nothing is checked; empty if the distances are checked.
     not_checked: Vec<String>,
@@ -94,18 +94,18 @@ struct LineJson<'a> {
     of: &'static str,
     /// Class of the mode, by its energy. Modes of the class `substructure` have no verdict.
     class: ModeClass,
-    /// Its number in the list of the tower's modes, from 1; null for a blade.
+    /// Its number in the list of tower modes, from 1; null for a blade.
     number: Option<usize>,
     /// Its family, as in the result of `solve`; for a blade mode the family at standstill: `flap`,
     /// `lag`, `torsion` or `axial`.
     family: String,
     /// Order within the family, from 1.
     order: usize,
-    /// The name of the mode, as "1st fore-aft bending".
+    /// The name of the mode, for example "1st fore-aft bending".
     label: &'a str,
-    /// Rotor speeds, rpm, rising.
+    /// Rotor speeds in increasing order, rpm.
     rotor_speed_rpm: Vec<f64>,
-    /// The natural frequency at each, Hz.
+    /// The natural frequency at each rotor speed, Hz.
     frequency_hz: Vec<f64>,
     /// The largest estimated error of the frequencies, Hz.
     error_hz: f64,
@@ -128,7 +128,7 @@ pub(super) struct MarginJson<'a> {
     nearest_rpm: f64,
     /// The excitation frequency at this rotor speed, Hz.
     excitation_hz: f64,
-    /// The natural frequency there, Hz.
+    /// The natural frequency at this rotor speed, Hz.
     natural_hz: f64,
     /// excitation/natural − 1 at this speed; 0 if the excitation crosses the natural frequency.
     distance: f64,
@@ -153,7 +153,7 @@ pub(super) struct ClassJson {
 /// reader come before the warnings.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_campbell_json(
     tower: &Tower,
     campbell: &Campbell,
@@ -184,7 +184,7 @@ pub fn write_campbell_json(
     write_result_json(&document, writer)
 }
 
-/// `tower`, `blade` or `turbine`, number, family or part, order.
+/// The class of the line (`tower`, `blade` or `turbine`), number, family or part, and order.
 fn named(of: Excited) -> (&'static str, Option<usize>, String, usize) {
     match of {
         Excited::Tower {
@@ -214,7 +214,7 @@ fn line_json(line: &FrequencyLine) -> LineJson<'_> {
     }
 }
 
-/// A distance with the index of its line, of a turbine that of its curve.
+/// A distance with the index of its line, for a turbine with the index of its curve.
 pub(super) fn margin_json<'a>(campbell: &'a Campbell, margin: &Margin) -> MarginJson<'a> {
     let line = &campbell.lines[margin.line];
     MarginJson {
@@ -261,7 +261,7 @@ const HEADER: [&str; 11] = [
 /// Writes a Campbell diagram as CSV: one line per pair of a natural frequency and an excitation.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_campbell_csv(campbell: &Campbell, writer: impl Write) -> Result<(), ResultError> {
     let row = |margin: &Margin| {
         let line = &campbell.lines[margin.line];

@@ -1,4 +1,4 @@
-//! Flat quantities of a result: each is one line of a list, from which its CSV and the arrays of
+//! Flat quantities of a result: each is one entry of a list, from which its CSV and the arrays of
 //! the Python package follow.
 
 use std::io::Write;
@@ -8,7 +8,7 @@ use super::ResultError;
 /// A quantity of a record of a result.
 #[derive(Debug, Clone, Copy)]
 pub struct Column<R: 'static> {
-    /// Its key in the JSON; a dot precedes the keys of an object.
+    /// Its key in the JSON; a dot separates the keys of nested objects.
     pub key: &'static str,
     /// Its unit; empty for pure numbers and texts.
     pub unit: &'static str,
@@ -23,16 +23,16 @@ pub struct Column<R: 'static> {
 pub enum Cell {
     /// A text; empty for none.
     Text(String),
-    /// A number of things.
+    /// A count.
     Count(usize),
-    /// A number; in CSV it is empty if it is infinite or not a number.
+    /// A number; in CSV an empty cell if it is infinite or NaN.
     Number(f64),
-    /// A small number, which CSV has with an exponent.
+    /// A small number, written in CSV with an exponent.
     Small(f64),
 }
 
 impl Cell {
-    /// As CSV has it.
+    /// The text of the cell in CSV.
     pub fn csv(&self) -> String {
         match self {
             Self::Text(text) => text.clone(),

@@ -18,15 +18,15 @@ use super::campbell::{
 use super::{ResultError, write_result_json};
 
 /// The result of `towermodes campbell` for a turbine with flexible blades: curves of its natural
-/// frequencies, with their proof, margins and meetings.
+/// frequencies, with their proof, the distances from excitations, crossings and veerings.
 ///
 /// Structure only: no aerodynamics, no controller, constant speeds.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct CoupledCampbellDocument<'a> {
-    /// The worst verdict; at best `warn` where the list of modes does not cover all excitations, or
-    /// where the turbine is unstable or not certified at an operating speed; `undecided` where
-    /// nothing is checked.
+    /// The worst verdict; at best `warn` if the list of modes does not cover all excitations, or if
+    /// the turbine is unstable or not certified at an operating speed; `undecided` if nothing is
+    /// checked.
     verdict: Verdict,
     /// Why nothing is checked; empty if the distances are checked.
     not_checked: Vec<String>,
@@ -46,7 +46,8 @@ pub(super) struct CoupledCampbellDocument<'a> {
     /// Whether eigenvalue counts prove at every speed that no mode below the limit is missing and
     /// that no mode is unstable.
     is_certified: bool,
-    /// The rotor speeds at which the turbine was solved, rising, with their certificates.
+    /// The rotor speeds at which the turbine was solved, in increasing order, with their
+    /// certificates.
     speeds: Vec<SpeedJson>,
     /// The curves: tower and drivetrain by mean frequency, then the blades.
     curves: Vec<CurveJson>,
@@ -68,7 +69,7 @@ pub(super) struct CoupledCampbellDocument<'a> {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct SpeedJson {
-    /// rpm.
+    /// Rotor speed, rpm.
     rotor_speed_rpm: f64,
     /// Whether it was added to follow curves that come close to each other.
     is_added: bool,
@@ -95,22 +96,23 @@ struct SpeedJson {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct CurveJson {
     /// Its title: the name that it has over most of the operating speeds, with rotor speeds if
-    /// another curve has this name over more. The names at each speed are those of its points.
+    /// another curve has this name over a larger range. The names at each speed are those of its
+    /// points.
     label: String,
     /// The part of this name: `tower fore-aft`, `drivetrain torsion`, `flapwise backward whirl` …
     part: String,
     /// The order of this mode among the modes with this part, from 1.
     order: usize,
-    /// Its names by rising rotor speed.
+    /// Its names by increasing rotor speed.
     names: Vec<NameRangeJson>,
-    /// For a backward whirl the index of the curve of the forward whirl, and the reverse; null
+    /// For a backward whirl the index of the curve of the forward whirl, and vice versa; null
     /// otherwise.
     partner: Option<usize>,
     /// The largest estimated error of its frequencies, Hz.
     error_hz: f64,
     /// The rotor speed at which the mode is no longer found, rpm; null if it is not lost.
     lost_at_rpm: Option<f64>,
-    /// Its points by rising rotor speed.
+    /// Its points by increasing rotor speed.
     points: Vec<PointJson>,
 }
 
@@ -126,7 +128,7 @@ struct NameRangeJson {
     order: usize,
     /// The lowest of these speeds, rpm.
     from_rpm: f64,
-    /// The highest, rpm.
+    /// The highest of these speeds, rpm.
     to_rpm: f64,
 }
 
@@ -144,26 +146,26 @@ struct ShareJson {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct PointJson {
-    /// rpm.
+    /// Rotor speed, rpm.
     rotor_speed_rpm: f64,
     /// Its number in the list of modes at this speed, from 1.
     number: usize,
     /// The natural frequency in the fixed frame, Hz.
     frequency_hz: f64,
-    /// The lower bound that counts prove, Hz.
+    /// The lower bound proved by eigenvalue counts, Hz.
     lower_hz: f64,
-    /// The upper bound that counts prove, Hz.
+    /// The upper bound proved by eigenvalue counts, Hz.
     upper_hz: f64,
-    /// The estimated error of the mesh, Hz; null where it is not known: between the ends of the
-    /// diagram and of the operating range.
+    /// The estimated error of the mesh, Hz; known only at the ends of the diagram and of the
+    /// operating range, otherwise null.
     error_hz: Option<f64>,
     /// Number of modes with this frequency.
     multiplicity: usize,
     /// Whether the energy of the mode in the fixed frame is negative: damping makes it grow.
     has_negative_energy: bool,
-    /// Its name at this speed; no other mode has it there.
+    /// Its name at this speed; no other mode has this name there.
     label: String,
-    /// The fraction of the elastic energy of the mode in the part of its name.
+    /// The fraction of the elastic energy of the mode in the part that its name states.
     share: f64,
     /// The other part with the most elastic energy; null if no other part has elastic energy.
     second: Option<ShareJson>,
@@ -195,7 +197,7 @@ struct EnergyJson {
     tower_side_side: f64,
     /// Torsion of the tower.
     tower_torsion: f64,
-    /// Stretch of the tower.
+    /// Axial deformation of the tower.
     tower_axial: f64,
     /// The yaw drive.
     yaw_drive: f64,
@@ -207,7 +209,7 @@ struct EnergyJson {
     edgewise: HarmonicsJson,
     /// Torsion of the blades.
     blade_torsion: HarmonicsJson,
-    /// Stretch of the blades.
+    /// Axial deformation of the blades.
     blade_axial: HarmonicsJson,
 }
 
@@ -215,19 +217,19 @@ struct EnergyJson {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct HarmonicsJson {
-    /// The same value for all directions.
+    /// All blades in phase.
     collective: f64,
-    /// A wave that runs around the rotor with the rotation.
+    /// A wave that travels around the rotor in the direction of rotation.
     forward: f64,
-    /// A wave against the rotation.
+    /// A wave that travels against the direction of rotation.
     backward: f64,
-    /// As the cosine of the azimuth; `tilt + yaw = forward + backward`.
+    /// Amplitude proportional to the cosine of the azimuth; `tilt + yaw = forward + backward`.
     tilt: f64,
-    /// As the sine of the azimuth.
+    /// Amplitude proportional to the sine of the azimuth.
     yaw: f64,
 }
 
-/// Two curves that meet.
+/// A crossing or veering of two curves.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct MeetingJson {
@@ -240,9 +242,9 @@ struct MeetingJson {
     labels: [String; 2],
     /// The rotor speed where they are closest, rpm.
     rotor_speed_rpm: f64,
-    /// The mean of their frequencies there, Hz.
+    /// The mean of their frequencies at this speed, Hz.
     frequency_hz: f64,
-    /// Their least distance, Hz; 0 for a crossing.
+    /// Their smallest distance, Hz; 0 for a crossing.
     least_distance_hz: f64,
 }
 
@@ -256,7 +258,7 @@ struct AgainstRigidJson {
     rigid_hz: f64,
     /// The coupled frequency at standstill, Hz; null if the turbine was not solved there.
     at_rest_hz: Option<f64>,
-    /// The fraction of the elastic energy of this mode in the part of its name.
+    /// The fraction of the elastic energy of this mode in the part that its name states.
     at_rest_share: Option<f64>,
     /// Coupled frequency divided by the frequency with rigid rotor, minus 1, at standstill; null if
     /// the share is below 0.6, because the motion is then distributed over several coupled modes.
@@ -264,18 +266,18 @@ struct AgainstRigidJson {
     /// The coupled frequency at the highest operating speed, Hz; null if no mode has the name
     /// there.
     at_highest_hz: Option<f64>,
-    /// The fraction of the elastic energy of this mode in the part of its name.
+    /// The fraction of the elastic energy of this mode in the part that its name states.
     at_highest_share: Option<f64>,
     /// Coupled frequency divided by the frequency with rigid rotor, minus 1, at the highest
     /// operating speed; null if the share is below 0.6.
     at_highest_difference: Option<f64>,
 }
 
-/// Writes a coupled Campbell diagram as indented JSON with a newline at the end. The tower is the
-/// one with the machine as a rigid body; `against_rigid` compares its modes.
+/// Writes a coupled Campbell diagram as indented JSON with a newline at the end. The tower has a
+/// rigid rotor-nacelle assembly; `against_rigid` compares its modes with the coupled ones.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_coupled_campbell_json(
     tower: &Tower,
     coupled: &CoupledCampbell,

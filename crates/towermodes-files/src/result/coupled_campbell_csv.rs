@@ -29,7 +29,7 @@ const HEADER: [&str; 17] = [
     "second_share",
 ];
 
-/// The parts that are no blades, in the order of their columns.
+/// The parts other than blades, in the order of their columns.
 const STATIONARY: [&str; 12] = [
     "platform_surge",
     "platform_sway",
@@ -45,16 +45,16 @@ const STATIONARY: [&str; 12] = [
     "shaft",
 ];
 
-/// How blades follow each other, in the order of their columns.
+/// The multiblade harmonics, in the order of their columns.
 const HARMONICS: [&str; 5] = ["collective", "forward", "backward", "tilt", "yaw"];
 
 /// Writes a coupled Campbell diagram as CSV: one line per curve and rotor speed, with the name of
 /// the mode there and the fractions of its elastic energy. Curves are counted from 0; `curve_label`
-/// is the title of the curve, `is_complete` the certificate of the speed, `not_checked` why there
-/// are no verdicts on the diagram.
+/// is the title of the curve, `is_complete` the certificate of the speed, `not_checked` the reason
+/// why there are no verdicts on the diagram.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_coupled_campbell_csv(
     coupled: &CoupledCampbell,
     writer: impl Write,
@@ -94,7 +94,7 @@ fn energy_columns() -> impl Iterator<Item = String> {
     STATIONARY.map(str::to_owned).into_iter().chain(blades)
 }
 
-/// A point from the rotor speed on.
+/// The cells of a point, from the rotor speed on.
 fn numbers(point: &CurvePoint, is_complete: String) -> Vec<String> {
     let (frequency, energy) = (&point.frequency, &point.energy);
     let mut row = vec![

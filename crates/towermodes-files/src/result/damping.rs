@@ -17,14 +17,14 @@ pub(super) struct DampingDocument<'a> {
     tower: &'a str,
     #[serde(flatten)]
     damping: &'a ModalDamping,
-    /// Assumptions of the reader, and what the damping does not include.
+    /// Assumptions of the reader, and effects that the damping does not include.
     warnings: Vec<String>,
 }
 
 /// Writes the damping of modes as indented JSON with a newline at the end.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_damping_json(
     tower: &str,
     damping: &ModalDamping,
@@ -43,7 +43,7 @@ pub fn write_damping_json(
 /// speed of the rotor.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_damping_csv(damping: &ModalDamping, writer: impl Write) -> Result<(), ResultError> {
     let header = [
         "mode",

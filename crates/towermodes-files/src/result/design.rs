@@ -21,9 +21,9 @@ pub struct DesignDocument {
     pub mass_kg: f64,
     /// Mass of the minimum without steps, kg; null if no variable has steps.
     pub mass_without_steps_kg: Option<f64>,
-    /// The goals.
+    /// The frequency bands.
     pub frequencies: Vec<DesignedFrequency>,
-    /// The active limits: a tower within these limits cannot be lighter.
+    /// The active limits, which prevent a lighter tower.
     pub active: Vec<DesignedLimit>,
     /// The residual of the conditions of a minimum (Karush, Kuhn, Tucker) of the problem without
     /// steps, relative.
@@ -78,7 +78,7 @@ pub struct DesignedFrequency {
     pub after_hz: f64,
     /// Estimated error of the frequency without extrapolation, Hz.
     pub error_hz: f64,
-    /// The share of the family of its name in the energy of the mode.
+    /// The share of the type of motion that its name states in the energy of the mode.
     pub share: f64,
     /// If the mode has less than 60 % of its energy in the type of motion that its name states:
     /// the other modes with at least a quarter of this motion, to which the limits also apply.
@@ -89,11 +89,11 @@ pub struct DesignedFrequency {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DesignedOther {
-    /// Its own name.
+    /// The name of this mode.
     pub mode: String,
     /// Its extrapolated frequency, Hz.
     pub hz: f64,
-    /// The share of the family of the limited name in its energy.
+    /// The share of its energy in the type of motion that the name of the limited mode states.
     pub share: f64,
 }
 
@@ -101,7 +101,7 @@ pub struct DesignedOther {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DesignedLimit {
-    /// The limit in words.
+    /// The limit as text.
     pub limit: String,
     /// Decrease of the mass per unit by which the limit is relaxed, kg per unit.
     pub kg_per_unit: f64,
@@ -112,7 +112,7 @@ pub struct DesignedLimit {
 /// Writes the result of a design as indented JSON with a newline at the end.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_design_json(document: &DesignDocument, writer: impl Write) -> Result<(), ResultError> {
     write_result_json(document, writer)
 }

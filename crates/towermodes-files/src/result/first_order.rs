@@ -97,7 +97,7 @@ pub struct MarginProbability {
 /// Writes a scatter to first order as indented JSON with a newline at the end.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_first_order_json(
     document: &FirstOrderDocument,
     writer: impl Write,

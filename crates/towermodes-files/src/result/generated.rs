@@ -28,7 +28,7 @@ pub fn generated_schema_of<T: JsonSchema>(
     Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
-/// Joins the lines of a description: in the source they end at column 100.
+/// Joins the lines of a description, which end at column 100 in the source.
 fn join_lines(schema: &mut Schema) {
     let description = schema.get("description").and_then(Value::as_str);
     if let Some(joined) = description.map(|text| text.replace('\n', " ")) {

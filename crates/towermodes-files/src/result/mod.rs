@@ -65,7 +65,7 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ResultError {
-    /// The writer refused.
+    /// The writer returned an error.
     #[error(transparent)]
     Io(#[from] std::io::Error),
     /// The value cannot be represented in JSON.
@@ -79,7 +79,7 @@ pub enum ResultError {
 /// Writes a result as indented JSON with a newline at the end.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_result_json(
     value: &impl Serialize,
     mut writer: impl Write,
@@ -92,7 +92,7 @@ pub fn write_result_json(
 /// Writes a header and records as CSV.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses, or a record is shorter or longer than the header.
+/// [`ResultError`] if writing fails, or if the length of a record differs from that of the header.
 pub fn write_records_csv<const N: usize>(
     header: [&str; N],
     records: impl IntoIterator<Item = [String; N]>,

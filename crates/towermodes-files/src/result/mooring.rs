@@ -23,7 +23,7 @@ pub struct SolvedMooring<'a> {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LineAtRest {
-    /// Place in the list of lines, from 1.
+    /// Number in the list of lines, from 1.
     pub number: usize,
     /// First and second point of the line: positions in the list of points, from 1.
     pub points: [usize; 2],
@@ -64,8 +64,8 @@ pub(super) struct MooringDocument<'a> {
     /// Force (N) and moment about the reference point (N m) on the platform: x, y, z, about x, y,
     /// z.
     force: [f64; 6],
-    /// Stiffness −∂F/∂u of the lines against motions of the platform (N/m, N, N m), in the order of
-    /// the force.
+    /// Stiffness −∂F/∂u of the lines for motions of the platform (N/m, N, N m), in the order of the
+    /// force.
     stiffness: [[f64; 6]; 6],
     /// The lines in the order of the file.
     lines: Vec<LineAtRest>,
@@ -78,7 +78,7 @@ pub(super) struct MooringDocument<'a> {
 /// Writes mooring lines at rest as indented JSON with a newline at the end.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_mooring_json(
     solved: &SolvedMooring<'_>,
     notes: &[Note],
@@ -99,10 +99,10 @@ pub fn write_mooring_json(
     write_result_json(&document, writer)
 }
 
-/// Writes mooring lines at rest as CSV with a header, a line of text for each.
+/// Writes mooring lines at rest as CSV with a header, one row per line.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_mooring_csv(
     solved: &SolvedMooring<'_>,
     writer: impl Write,
@@ -122,5 +122,5 @@ static COLUMNS: [Column<LineAtRest>; 10] = [
     Column { key: "horizontal_n", unit: "N", meaning: "horizontal tension", value: |l| Number(l.state.horizontal_n) },
     Column { key: "vertical_n", unit: "N", meaning: "downward force at the upper end", value: |l| Number(l.state.vertical_n) },
     Column { key: "on_seabed_m", unit: "m", meaning: "length on the seabed", value: |l| Number(l.state.on_seabed_m) },
-    Column { key: "extreme_z_m", unit: "m", meaning: "lowest height; of a line lighter than water the greatest one", value: |l| Number(l.state.extreme_z_m) },
+    Column { key: "extreme_z_m", unit: "m", meaning: "lowest height of the line; greatest height if the line is lighter than water", value: |l| Number(l.state.extreme_z_m) },
 ];

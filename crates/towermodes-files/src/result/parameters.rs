@@ -1,4 +1,4 @@
-//! The numbers of a tower by name as JSON and CSV.
+//! The input values of a tower by name as JSON and CSV.
 
 use std::io::Write;
 
@@ -39,10 +39,10 @@ struct ParameterJson<'a> {
     line: Option<usize>,
 }
 
-/// Writes numbers of a tower as indented JSON with a newline at the end.
+/// Writes input values of a tower as indented JSON with a newline at the end.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_parameters_json(
     input: &TowerInput,
     parameters: &[Parameter],
@@ -68,10 +68,10 @@ fn json(input: &TowerInput, parameter: Parameter) -> ParameterJson<'_> {
     }
 }
 
-/// Writes numbers of a tower as CSV with a header, a line per number.
+/// Writes input values of a tower as CSV with a header, a line per input value.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_parameters_csv(
     input: &TowerInput,
     parameters: &[Parameter],

@@ -23,8 +23,8 @@ pub struct ResultKind {
 
 #[cfg(feature = "schema")]
 impl ResultKind {
-    /// The schema made from the type of the result: [`json_schema`](Self::json_schema) must equal
-    /// it.
+    /// The schema generated from the type of the result: [`json_schema`](Self::json_schema) must
+    /// equal it.
     ///
     /// # Errors
     /// [`ResultError`](super::ResultError) if the schema cannot be written.

@@ -1,4 +1,4 @@
-//! The influence of the numbers of a tower on its frequencies as JSON and CSV.
+//! The influence of the input values of a tower on its frequencies as JSON and CSV.
 
 use std::io::Write;
 
@@ -28,7 +28,7 @@ pub(super) struct SensitivitiesDocument<'a> {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct InfluencesJson<'a> {
-    /// The lowest modes by frequency. Every row of the tower is a segment border here, so
+    /// The lowest modes by frequency. Every row of the tower is a segment boundary here, so
     /// frequencies may differ from those of a solution within their errors.
     modes: Vec<ModeJson<'a>>,
     /// The input values, in the order of the tower file.
@@ -58,7 +58,7 @@ struct NumberJson<'a> {
     value: f64,
     /// Its unit; empty for a number without a unit.
     unit: &'static str,
-    /// The reference of the percent.
+    /// The reference of the percentage.
     percent_of: Basis,
     /// Derivative of the mass of the tower and of the members of a substructure with respect to the
     /// value, kg per unit; null if the tower cannot be changed in both directions.
@@ -83,7 +83,7 @@ struct InfluenceJson {
     no_derivative: Option<String>,
 }
 
-/// The influence of one number on one mode.
+/// The influence of one input value on one mode.
 fn influence(number: &Influence, mode: usize, tolerance: Option<Tolerance>) -> InfluenceJson {
     let derivative = &number.derivatives[mode];
     let known = derivative.as_ref().ok();
@@ -97,7 +97,7 @@ fn influence(number: &Influence, mode: usize, tolerance: Option<Tolerance>) -> I
 }
 
 impl<'a> InfluencesJson<'a> {
-    /// For the tower of an input.
+    /// The influences for the tower of an input.
     pub(super) fn of(
         description: &TowerDescription,
         influences: &'a Influences,
@@ -133,7 +133,7 @@ impl<'a> InfluencesJson<'a> {
 /// Writes influences as indented JSON with a newline at the end.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_sensitivities_json(
     input: &TowerInput,
     influences: &Influences,
@@ -148,10 +148,10 @@ pub fn write_sensitivities_json(
     write_result_json(&document, writer)
 }
 
-/// Writes influences as CSV with a header, a line per number and mode.
+/// Writes influences as CSV with a header, a line per input value and mode.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_sensitivities_csv(
     input: &TowerInput,
     influences: &Influences,

@@ -51,7 +51,7 @@ impl<'a> FileDocument<'a> {
 /// Writes the solutions of several files as one indented JSON list with a newline at the end.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_several_json(files: &[SolvedFile<'_>], writer: impl Write) -> Result<(), ResultError> {
     let documents = files.iter().map(FileDocument::of).collect();
     write_result_json(&SeveralDocument(documents), writer)
@@ -61,7 +61,7 @@ pub fn write_several_json(files: &[SolvedFile<'_>], writer: impl Write) -> Resul
 /// the column `file`.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_several_csv(files: &[SolvedFile<'_>], writer: impl Write) -> Result<(), ResultError> {
     let mut csv = ::csv::Writer::from_writer(writer);
     csv.write_record(std::iter::once("file").chain(header()))?;

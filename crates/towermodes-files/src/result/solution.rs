@@ -30,12 +30,12 @@ pub(super) struct SolutionDocument<'a> {
     degrees_of_freedom: usize,
     /// The tower that was solved.
     tower: TowerSummary<'a>,
-    /// The lowest modes by frequency; of a repeated pair the fore-aft one first.
+    /// The lowest modes by frequency; in a repeated pair the fore-aft mode is first.
     modes: &'a [Mode],
     /// The proof that no mode is missing.
     certificate: Certificate,
-    /// The frequency at which the added mass of the floating platform is taken: `own` (each mode at
-    /// its own), `infinite`, `zero`, or `hz` with the frequency; null if its added mass does not
+    /// The frequency of the added mass of the floating platform: `own` (each mode at its own
+    /// frequency), `infinite`, `zero`, or `hz` with the frequency; null if its added mass does not
     /// depend on frequency.
     added_mass: Option<AddedMassAt>,
     /// Weights, buoyancy and mooring lines of a floating tower at its reference position, and the
@@ -43,7 +43,7 @@ pub(super) struct SolutionDocument<'a> {
     /// known.
     static_balance: Option<StaticBalance>,
     /// The buckling load factor: the factor on gravity at which the tower buckles; null without
-    /// gravity, or where the tower floats.
+    /// gravity, or if the tower floats.
     buckling_load_factor: Option<f64>,
     /// Sums of the effective masses of the listed modes, as fractions of the total masses of the
     /// tower; null if each mode has the added mass at its own frequency, because such masses do not
@@ -64,16 +64,16 @@ pub(super) struct SolutionDocument<'a> {
 struct TowerSummary<'a> {
     /// The name in the file; may be empty.
     name: &'a str,
-    /// Base to top, m.
+    /// Height from base to top, m.
     height_m: f64,
     /// Mass with outfitting and point masses, without the rotor-nacelle assembly, kg.
     mass_kg: f64,
     /// Mass of the rotor-nacelle assembly, kg.
     top_mass_kg: f64,
-    /// Acceleration of gravity, m/s2; 0 if gravity is left out.
+    /// Acceleration of gravity, m/s2; 0 if gravity is omitted.
     gravity_m_per_s2: f64,
-    /// Inertia of all moving masses against rigid motions (x, y, z, rotation about x, y, z) of the
-    /// whole tower about its base: kg, kg m, kg m2.
+    /// Inertia matrix of all moving masses for rigid motions (x, y, z, rotation about x, y, z) of
+    /// the whole tower about its base: kg, kg m, kg m2.
     rigid_inertia: [[f64; 6]; 6],
     /// The static stiffness of the foundation at the surface of the soil: stiffness of `[ground]`,
     /// of the highest row of `[[soil]]`, or of `[foundation]` at the base; null for a fixed base or
@@ -114,17 +114,19 @@ impl FoundationHead {
 struct GroundSummary {
     /// Height of the surface at the pile after scour, m.
     surface_m: f64,
-    /// The static stiffness of the pile at this surface; null where the tip is held by more than
-    /// springs, and on members.
+    /// The static stiffness of the pile at this surface; null if the tip is supported by more than
+    /// springs, and for members.
     pile_head: Option<HeadStiffness>,
-    /// The springs by rising height; linear in between, twice at a height where they jump.
+    /// The springs by increasing height; linear in between, twice at a height where they have a
+    /// step.
     springs: Vec<SpringsAt>,
     /// The springs along the piles of the members below the tower, member by member.
     members: Vec<SpringsOfMember>,
 }
 
 impl GroundSummary {
-    /// At the surface of the ground, the head of the foundation is the head of the pile.
+    /// The summary for a tower. At the surface of the ground, the head of the foundation is the
+    /// head of the pile.
     fn of(tower: &Tower, head: Option<&FoundationHead>) -> Option<Self> {
         Some(Self {
             surface_m: tower.ground_surface_m()?,
@@ -175,7 +177,7 @@ impl<'a> SolutionDocument<'a> {
 /// before the warnings.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_json(
     tower: &Tower,
     solution: &Solution,
@@ -185,10 +187,10 @@ pub fn write_json(
     write_result_json(&SolutionDocument::of(tower, solution, notes), writer)
 }
 
-/// The same with the influence of the numbers of the tower.
+/// Writes a solution as JSON with the influence of the input values of the tower.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_json_with_sensitivities(
     tower: &Tower,
     solution: &Solution,

@@ -37,15 +37,15 @@ pub static MODE_COLUMNS: &[Column<Mode>] = &[
     Column { key: "effective_mass.x", unit: "kg", meaning: "effective modal mass in x", value: |m| Small(m.effective_mass[0]) },
     Column { key: "effective_mass.y", unit: "kg", meaning: "effective modal mass in y", value: |m| Small(m.effective_mass[1]) },
     Column { key: "effective_mass.z", unit: "kg", meaning: "effective modal mass in z", value: |m| Small(m.effective_mass[2]) },
-    Column { key: "effective_mass.rotation_x", unit: "kg m²", meaning: "effective modal mass about x", value: |m| Small(m.effective_mass[3]) },
-    Column { key: "effective_mass.rotation_y", unit: "kg m²", meaning: "effective modal mass about y", value: |m| Small(m.effective_mass[4]) },
-    Column { key: "effective_mass.rotation_z", unit: "kg m²", meaning: "effective modal mass about z", value: |m| Small(m.effective_mass[5]) },
-    Column { key: "effective_mass_shares.x", unit: "", meaning: "effective modal mass in x as a fraction of the whole, with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[0]) },
-    Column { key: "effective_mass_shares.y", unit: "", meaning: "effective modal mass in y as a fraction of the whole, with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[1]) },
-    Column { key: "effective_mass_shares.z", unit: "", meaning: "effective modal mass in z as a fraction of the whole, with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[2]) },
-    Column { key: "effective_mass_shares.rotation_x", unit: "", meaning: "effective modal mass about x as a fraction of the whole, with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[3]) },
-    Column { key: "effective_mass_shares.rotation_y", unit: "", meaning: "effective modal mass about y as a fraction of the whole, with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[4]) },
-    Column { key: "effective_mass_shares.rotation_z", unit: "", meaning: "effective modal mass about z as a fraction of the whole, with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[5]) },
+    Column { key: "effective_mass.rotation_x", unit: "kg m²", meaning: "effective modal moment of inertia about x", value: |m| Small(m.effective_mass[3]) },
+    Column { key: "effective_mass.rotation_y", unit: "kg m²", meaning: "effective modal moment of inertia about y", value: |m| Small(m.effective_mass[4]) },
+    Column { key: "effective_mass.rotation_z", unit: "kg m²", meaning: "effective modal moment of inertia about z", value: |m| Small(m.effective_mass[5]) },
+    Column { key: "effective_mass_shares.x", unit: "", meaning: "effective modal mass in x as a fraction of the total mass, both with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[0]) },
+    Column { key: "effective_mass_shares.y", unit: "", meaning: "effective modal mass in y as a fraction of the total mass, both with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[1]) },
+    Column { key: "effective_mass_shares.z", unit: "", meaning: "effective modal mass in z as a fraction of the total mass, both with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[2]) },
+    Column { key: "effective_mass_shares.rotation_x", unit: "", meaning: "effective modal moment of inertia about x as a fraction of the total, both with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[3]) },
+    Column { key: "effective_mass_shares.rotation_y", unit: "", meaning: "effective modal moment of inertia about y as a fraction of the total, both with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[4]) },
+    Column { key: "effective_mass_shares.rotation_z", unit: "", meaning: "effective modal moment of inertia about z as a fraction of the total, both with the added mass of the mode", value: |m| Small(m.effective_mass_shares()[5]) },
 ];
 
 fn name(family: Family) -> Cell {
@@ -60,7 +60,8 @@ fn number(number: Option<f64>) -> Cell {
     Number(number.unwrap_or(f64::NAN))
 }
 
-/// The last column is of the tower: parts of the structure that it lacks, separated by spaces.
+/// The last column is a property of the tower: the parts of the structure that it lacks, separated
+/// by spaces.
 const MISSING_PARTS: &str = "missing_parts";
 
 /// The names of the columns of the CSV.
@@ -81,7 +82,7 @@ pub(super) fn records(solution: &Solution) -> impl Iterator<Item = Vec<String>> 
 /// Writes the modes of a solution as CSV with a header.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_csv(solution: &Solution, writer: impl Write) -> Result<(), ResultError> {
     let mut csv = ::csv::Writer::from_writer(writer);
     csv.write_record(header())?;

@@ -1,4 +1,4 @@
-//! A comparison of methods, and the convergence of one, as CSV.
+//! A comparison of methods, and the convergence of one method, as CSV.
 
 use std::io::Write;
 
@@ -38,7 +38,7 @@ const CONVERGENCE: [&str; 12] = [
 /// Writes a comparison as CSV: one line per method and mode.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_comparison_csv(
     comparison: &Comparison,
     writer: impl Write,
@@ -68,7 +68,7 @@ pub fn write_comparison_csv(
 /// Writes the convergence of a method as CSV: one line per level and mode.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_convergence_csv(
     convergence: &Convergence,
     writer: impl Write,

@@ -15,25 +15,25 @@ use crate::input::Note;
 /// The directions of motions.
 const DIRECTIONS: [&str; 6] = ["x", "y", "z", "rotation_x", "rotation_y", "rotation_z"];
 
-/// The joint of a mode that moves most, and how.
+/// The joint with the largest motion in a mode, and this motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LargestMotion {
     /// The joint, by its name in the file.
     pub joint: String,
     /// The direction: `x`, `y`, `z`; `rotation_x`, `rotation_y` or `rotation_z` if the largest
-    /// rotation (rad) exceeds the largest translation (m).
+    /// rotation (rad) exceeds 1000 times the largest translation (m).
     pub direction: &'static str,
     /// The motion of the joint in this direction, m or rad, for a modal mass of 1 kg.
     pub motion: f64,
 }
 
-/// Metres per radian above which a motion is a rotation: no substructure is larger.
+/// A motion is a rotation if it has fewer metres per radian than this.
 const LARGEST_M: f64 = 1e-3;
 
 impl LargestMotion {
     /// The largest motion of a mode: the largest translation of a joint, or the largest rotation if
-    /// all joints stay where they are.
+    /// no joint is translated.
     pub fn of(mode: &FrameMode, frame: &Frame) -> Self {
         let largest = |components: std::ops::Range<usize>| {
             let motions = mode.shape.joints.iter().enumerate();
@@ -79,7 +79,7 @@ pub(super) struct SubstructureDocument<'a> {
     substructure: SubstructureSummary<'a>,
     /// The lowest modes by frequency.
     modes: Vec<SubstructureMode<'a>>,
-    /// Up to this frequency, Hz, no mode is missing: an eigenvalue count proves it.
+    /// The frequency, Hz, up to which no mode is missing, which an eigenvalue count proves.
     complete_below_hz: f64,
     /// Assumptions of the reader and data that it omits.
     warnings: Vec<String>,
@@ -91,7 +91,7 @@ pub(super) struct SubstructureDocument<'a> {
 struct SubstructureSummary<'a> {
     /// The second line of the file; may be empty.
     name: &'a str,
-    /// Whether the interface joints are held (`--clamped`); otherwise they are free.
+    /// Whether the interface joints are fixed (`--clamped`); otherwise they are free.
     clamped: bool,
     /// Mass of members, masses on joints and soil mass at the supports, kg.
     mass_kg: f64,
@@ -133,7 +133,7 @@ pub(super) struct FrameSummary<'a> {
 struct FrameMemberSummary<'a> {
     /// Its name or its number in the file.
     name: &'a str,
-    /// The places of its first and its second joint in the list of joints, from 0.
+    /// The indices of its first and its second joint in the list of joints, from 0.
     joints: [usize; 2],
 }
 
@@ -166,15 +166,15 @@ fn joints_of(frame: &Frame) -> Vec<SubstructureJoint<'_>> {
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct SubstructureMode<'a> {
-    /// Place in the list, from 1.
+    /// Number in the list, from 1.
     number: usize,
     /// Natural frequency, Hz.
     frequency_hz: f64,
     /// Bound on the error of the eigenvalue computation, Hz.
     algebraic_error_hz: f64,
-    /// Estimate of the discretization error, Hz; 0 for `subdyn`, whose elements are given.
+    /// Estimate of the discretization error, Hz; 0 for `subdyn`, whose elements are prescribed.
     discretization_error_hz: f64,
-    /// The joint that moves most, and how.
+    /// The joint with the largest motion, and this motion.
     largest: LargestMotion,
     /// Motion of each joint (x, y, z, rotation about x, y, z; m and rad) for a modal mass of 1 kg,
     /// in the order of the joints.
@@ -196,13 +196,13 @@ pub struct SolvedSubstructure<'a> {
 }
 
 impl SolvedSubstructure<'_> {
-    /// Whether the interface joints are held.
+    /// Whether the interface joints are fixed.
     pub fn is_clamped(&self) -> bool {
         let transition = self.frame.description().transition.as_ref();
         transition.is_some_and(|transition| transition.is_held)
     }
 
-    /// The warning on what moves without stiffness.
+    /// The warning on motions without stiffness.
     pub fn mechanism(&self) -> Option<Note> {
         let mechanism = self.solution.mechanism.as_ref()?;
         Some(Note::suspicious(mechanism.to_string()))
@@ -220,7 +220,7 @@ impl SolvedSubstructure<'_> {
 /// Writes the modes of a substructure as indented JSON with a newline at the end.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_substructure_json(
     solved: &SolvedSubstructure<'_>,
     notes: &[Note],
@@ -271,7 +271,7 @@ struct Line {
 /// Writes the modes of a substructure as CSV with a header.
 ///
 /// # Errors
-/// [`ResultError`] if the writer refuses.
+/// [`ResultError`] if writing fails.
 pub fn write_substructure_csv(
     solved: &SolvedSubstructure<'_>,
     writer: impl Write,

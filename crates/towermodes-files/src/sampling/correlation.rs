@@ -1,4 +1,4 @@
-//! The dependence of the varied inputs of a sweep, as plain data with their rules.
+//! The correlations of the varied inputs of a sweep, as plain data with their rules.
 
 use std::collections::HashSet;
 use std::fmt;
@@ -8,27 +8,27 @@ use towermodes::number::Plain;
 
 use super::{Distribution, Sampling, SamplingKind};
 
-/// The correlation of two varied input values. Numbers without one are independent of each other.
+/// The correlation of two varied input values. Inputs without a correlation are independent.
 ///
 /// The dependence is a Gaussian copula: each value follows from a standard normal score, and the
 /// scores have a joint normal distribution with these correlations (Nataf 1962).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Correlation {
-    /// The names of the two numbers, as in [`Varied::name`](crate::Varied::name).
+    /// The names of the two inputs, as in [`Varied::name`](crate::Varied::name).
     pub between: [String; 2],
-    /// The correlation coefficient of the normal scores, from −1 to 1. Of two normal numbers
-    /// without limits it is that of the values too.
+    /// The correlation coefficient of the normal scores, from −1 to 1. For two normal inputs
+    /// without limits it is also that of the values.
     pub coefficient: f64,
 }
 
-/// The largest number of varied numbers that have correlations.
+/// The largest number of varied inputs that have correlations.
 pub const MAX_CORRELATED: usize = 500;
 
-/// Why numbers cannot be correlated as requested.
+/// Why inputs cannot be correlated as requested.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CorrelationError {
-    /// A grid, which has every combination of its values.
+    /// A grid: it contains every combination of its values.
     #[error(
         "a grid has every combination of its values, so they cannot be correlated; use sampling = \"random\", \"latin-hypercube\" or \"sobol\""
     )]
@@ -39,13 +39,13 @@ pub enum CorrelationError {
         /// The coefficient.
         coefficient: f64,
     },
-    /// A number that does not vary.
+    /// An input that does not vary.
     #[error("`{name}` is not among the varied inputs")]
     NotVaried {
         /// The name.
         name: String,
     },
-    /// A number with itself.
+    /// A correlation of an input with itself.
     #[error("`{name}` cannot be correlated with itself; name two different inputs")]
     Itself {
         /// The name.
@@ -57,35 +57,35 @@ pub enum CorrelationError {
         /// The names.
         between: [String; 2],
     },
-    /// A number with a list of values, which has no distribution function with an inverse.
+    /// An input with a list of values, whose distribution function has no inverse.
     #[error("`{name}` has a list of values, which cannot be correlated; give it a distribution")]
     List {
         /// The name.
         name: String,
     },
-    /// More numbers than [`MAX_CORRELATED`].
+    /// More inputs than [`MAX_CORRELATED`].
     #[error("{count} inputs have correlations; the limit is {MAX_CORRELATED}")]
     TooMany {
-        /// The number of numbers.
+        /// The number of inputs.
         count: usize,
     },
-    /// The correlation of the values of two numbers of which one is not normal.
+    /// A correlation of the values of two inputs, one of which is not normal.
     #[error(
         "`coefficient` is the correlation of the values, which can be given only for two normal distributions without limits, but `{name}` does not have one; give `score_coefficient`, the correlation of the normal scores, or the rows as a table (`table = \"values.csv\"`)"
     )]
     OfValues {
-        /// The name of that number.
+        /// The name of this input.
         name: String,
     },
-    /// A coefficient that contradicts the others: the matrix of all is not positive definite.
+    /// A coefficient that contradicts the others: the correlation matrix is not positive definite.
     #[error("the correlations contradict each other: {}", contradiction(between, *coefficient, *limits))]
     Contradiction {
         /// The names.
         between: [String; 2],
         /// The coefficient; none for a pair that is not in the list.
         coefficient: Option<f64>,
-        /// The lowest and the highest coefficient beside the correlations with the numbers before
-        /// the second.
+        /// The lowest and the highest possible coefficient, given the correlations with the inputs
+        /// before the second.
         limits: [f64; 2],
     },
 }
@@ -111,7 +111,7 @@ fn contradiction([a, b]: &[String; 2], coefficient: Option<f64>, limits: [f64; 2
     }
 }
 
-/// "from -0.62 to 0.98", rounded inwards; of a narrow range one number.
+/// "from -0.62 to 0.98", rounded inwards; for a narrow range one number.
 struct Limits([f64; 2]);
 
 impl fmt::Display for Limits {
@@ -130,7 +130,7 @@ impl fmt::Display for Limits {
 }
 
 impl Sampling {
-    /// The places in [`Sampling::vary`] of the two numbers of each correlation, the smaller first.
+    /// The indices in [`Sampling::vary`] of the two inputs of each correlation, the smaller first.
     ///
     /// # Errors
     /// The index of a correlation that is impossible by itself or repeated, with the reason.

@@ -13,9 +13,9 @@ use towermodes::number::Plain;
 pub struct Sampling {
     /// The kind.
     pub kind: SamplingKind,
-    /// Number of rows, at most [`MAX_ROWS`]; of a grid the product of the levels.
+    /// Number of rows, at most [`MAX_ROWS`]; for a grid the product of the levels.
     pub rows: u64,
-    /// Another seed gives other rows; a grid has none.
+    /// The seed of the random numbers; not used for a grid.
     pub seed: u64,
     /// The changes and their distributions.
     pub vary: Vec<Varied>,
@@ -52,7 +52,7 @@ pub enum SamplingKind {
     LatinHypercube,
     /// Independent values.
     Random,
-    /// Scrambled Sobol sequence: evenly spread in all changes together; best with rows = 2ⁿ.
+    /// Scrambled Sobol sequence: evenly distributed in all changes together; best with rows = 2ⁿ.
     Sobol,
 }
 
@@ -60,7 +60,7 @@ impl SamplingKind {
     /// All kinds.
     pub const ALL: [Self; 4] = [Self::Grid, Self::LatinHypercube, Self::Random, Self::Sobol];
 
-    /// Its name in a study: `grid`, `latin-hypercube`, `random`, `sobol`.
+    /// Its name in a sweep study: `grid`, `latin-hypercube`, `random`, `sobol`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Grid => "grid",
@@ -76,28 +76,28 @@ impl SamplingKind {
 pub enum Distribution {
     /// Equally probable between two values.
     Uniform {
-        /// The lowest.
+        /// The lowest value.
         low: f64,
-        /// The highest.
+        /// The highest value.
         high: f64,
     },
-    /// Gaussian.
+    /// Normal (Gaussian).
     Normal {
         /// Mean.
         mean: f64,
         /// Standard deviation before truncation.
         deviation: f64,
-        /// The lowest and the highest value; other values are excluded, and those between are
-        /// more probable in proportion.
+        /// The lowest and the highest value; other values are excluded, and the density between
+        /// them is increased proportionally.
         truncated: Option<[f64; 2]>,
     },
-    /// The logarithm is Gaussian.
+    /// Lognormal: the logarithm is Gaussian.
     LogNormal {
         /// Mean of the value itself, not of its logarithm.
         mean: f64,
         /// Standard deviation of the value itself, before truncation.
         deviation: f64,
-        /// As of a normal distribution.
+        /// The limits, as for a normal distribution.
         truncated: Option<[f64; 2]>,
     },
     /// One of several values, equally probable.
@@ -105,7 +105,7 @@ pub enum Distribution {
 }
 
 impl Distribution {
-    /// Its name in a study: `uniform`, `normal`, `lognormal`, `values`.
+    /// Its name in a sweep study: `uniform`, `normal`, `lognormal`, `values`.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Uniform { .. } => "uniform",
@@ -115,10 +115,10 @@ impl Distribution {
         }
     }
 
-    /// Checks its numbers.
+    /// Checks the parameters of the distribution.
     ///
     /// # Errors
-    /// [`SamplingError`] with the first number that the distribution cannot have.
+    /// [`SamplingError`] with the first parameter that is impossible for the distribution.
     pub fn check(&self) -> Result<(), SamplingError> {
         if let Some(value) = self.numbers().find(|value| !value.is_finite()) {
             return Err(SamplingError::NotFinite { value });
@@ -148,7 +148,7 @@ impl Distribution {
         }
     }
 
-    /// All its numbers.
+    /// All parameters of the distribution.
     fn numbers(&self) -> impl Iterator<Item = f64> {
         let (own, truncated, values): ([f64; 2], _, &[f64]) = match self {
             Self::Uniform { low, high } => ([*low, *high], None, &[]),
@@ -200,11 +200,11 @@ impl Sampling {
         })
     }
 
-    /// Checks what is drawn; the distributions have [their own check](Distribution::check), so that
-    /// a reader can show each at its place.
+    /// Checks the sampling; the distributions have [their own check](Distribution::check), so that
+    /// a reader can report each at its place.
     ///
     /// # Errors
-    /// [`SamplingError`] with what no sampling can have.
+    /// [`SamplingError`] if the sampling is impossible.
     pub fn check(&self) -> Result<(), SamplingError> {
         if self.vary.is_empty() {
             return Err(SamplingError::NothingVaried);
@@ -241,7 +241,7 @@ impl Sampling {
 }
 
 impl Varied {
-    /// The number of its values in a grid, if it can be varied in a grid.
+    /// The number of its values in a grid, if it can be used in a grid.
     pub fn level_count(&self) -> Option<u64> {
         match (&self.distribution, self.levels) {
             (Distribution::Values(values), _) => Some(values.len() as u64),
@@ -255,24 +255,24 @@ impl Varied {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SamplingError {
-    /// A number that is infinite or not a number.
+    /// A number that is infinite or NaN.
     #[error("{value} is not a finite number")]
     NotFinite {
         /// The number.
         value: f64,
     },
-    /// Limits that do not rise, or whose difference overflows.
+    /// A lower limit that is not below the upper limit, or a difference of limits that overflows.
     #[error("the lower limit {} is not below the upper limit {}", Plain(*.low), Plain(*.high))]
     Range {
-        /// The lower.
+        /// The lower limit.
         low: f64,
-        /// The upper.
+        /// The upper limit.
         high: f64,
     },
     /// A standard deviation that is 0 or negative.
     #[error("the standard deviation is {}; it must be positive", Plain(*.deviation))]
     Deviation {
-        /// The deviation.
+        /// The standard deviation.
         deviation: f64,
     },
     /// A lognormal distribution with a mean of 0 or less.
@@ -284,15 +284,15 @@ pub enum SamplingError {
     /// An empty list of values.
     #[error("the list of values is empty")]
     NoValues,
-    /// Limits that exclude every value that can be represented.
+    /// Limits that exclude every representable value.
     #[error("the limits {} and {} of `truncated` exclude all values of the distribution", Plain(*.low), Plain(*.high))]
     Excluded {
-        /// The lower.
+        /// The lower limit.
         low: f64,
-        /// The upper.
+        /// The upper limit.
         high: f64,
     },
-    /// No change.
+    /// There are no changes.
     #[error("nothing is varied; name at least one parameter")]
     NothingVaried,
     /// More changes than the Sobol sequence has dimensions.
@@ -306,10 +306,10 @@ pub enum SamplingError {
     /// No rows, or too many.
     #[error("the number of rows is {rows}; it must be from 1 to {MAX_ROWS}")]
     Rows {
-        /// The number.
+        /// The number of rows.
         rows: u64,
     },
-    /// A distribution in a grid without a number of levels, or of a kind that has none.
+    /// A distribution in a grid without a number of levels, or of a kind that has no levels.
     #[error("`{name}` {}", no_levels(distribution))]
     NoLevels {
         /// The change.
@@ -317,13 +317,13 @@ pub enum SamplingError {
         /// The name of its distribution.
         distribution: &'static str,
     },
-    /// A grid of more rows than a sweep may have.
+    /// A grid with more rows than a sweep may have.
     #[error("the grid has more than {MAX_ROWS} rows; reduce the levels")]
     LargeGrid,
-    /// A number of rows that is not that of the grid.
+    /// A number of rows that differs from that of the grid.
     #[error("the number of rows is {rows}, but the grid has {product}; omit `rows`")]
     GridRows {
-        /// The number given.
+        /// The given number.
         rows: u64,
         /// The product of the levels.
         product: u64,
@@ -333,7 +333,7 @@ pub enum SamplingError {
     Correlation {
         /// Its index in [`Sampling::correlations`].
         index: usize,
-        /// Why.
+        /// The reason.
         error: Box<CorrelationError>,
     },
 }

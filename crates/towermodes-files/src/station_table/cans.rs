@@ -9,16 +9,16 @@ use crate::csv_table::MAX_MISTAKES;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, line_and_column};
 use crate::number::Rounded;
 
-/// Ends of neighbouring cans that are nearer than this, m, are at one height: lengths are
-/// converted.
+/// Ends of neighbouring cans whose distance is smaller than this, m, are at one height, because
+/// lengths are converted.
 const SAME_M: f64 = 1e-6;
 
-/// A piece of tower with straight sides and one wall thickness.
+/// A piece of tower with linear taper and one wall thickness.
 #[derive(Debug, Clone)]
 pub(super) struct Can {
-    /// Bottom and top.
+    /// Heights of bottom and top.
     pub(super) ends_m: [f64; 2],
-    /// Outer diameters there.
+    /// Outer diameters at bottom and top.
     pub(super) diameters_m: [f64; 2],
     pub(super) wall_m: f64,
     pub(super) material: usize,
@@ -52,9 +52,9 @@ impl Can {
     }
 }
 
-/// The stations at the ends of all cans from the base to the top; two at one height where diameter,
-/// wall or material step. Cans that are listed from the top down are turned; a gap or an overlap is
-/// a mistake.
+/// The stations at the ends of all cans from the base to the top; two at one height if diameter,
+/// wall or material has a step. Cans that are listed from the top down are reversed; a gap or an
+/// overlap is a mistake.
 pub(super) fn stations(
     mut cans: Vec<Can>,
     text: &str,
@@ -83,7 +83,8 @@ pub(super) fn stations(
     stations
 }
 
-/// Lets each can begin exactly where the one below it ends; the mistakes where it does not.
+/// Sets the bottom of each can exactly to the top of the one below; returns the mistakes where they
+/// differ.
 fn join(cans: &mut [Can], text: &str) -> Vec<Diagnostic> {
     let mut mistakes = Vec::new();
     for above in 1..cans.len() {
@@ -97,7 +98,7 @@ fn join(cans: &mut [Can], text: &str) -> Vec<Diagnostic> {
     mistakes
 }
 
-/// Whether a can begins where the one below it ends.
+/// Checks that a can begins where the one below it ends.
 fn joint(below: &Can, can: &Can, text: &str) -> Result<(), Diagnostic> {
     let (top_m, bottom_m) = (below.ends_m[1], can.ends_m[0]);
     let gap_m = bottom_m - top_m;

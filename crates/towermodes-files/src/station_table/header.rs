@@ -17,7 +17,7 @@ pub(super) struct Length {
     pub(super) unit: Unit,
 }
 
-/// The columns of a table of cans; without their own diameters both ends have the same column.
+/// The columns of a table of cans; with a single diameter column both ends use this column.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Cans {
     pub(super) bottom: Length,
@@ -58,7 +58,7 @@ struct Column {
 }
 
 impl Header {
-    /// The header in a row.
+    /// The header in a row of the table.
     pub(super) fn of(record: &Record<'_>) -> Result<Self, Vec<Diagnostic>> {
         check_header(record, EXAMPLE).map_err(|mistake| vec![mistake])?;
         let (mut columns, mut mistakes) = (Vec::<Column>::new(), Vec::new());
@@ -115,7 +115,7 @@ fn column(index: usize, cell: &Cell<'_>, before: &[Column]) -> Result<Option<Col
     }))
 }
 
-/// The unit of a length, or what is wrong with a hint.
+/// The unit of a length, or the mistake with a hint.
 fn unit_of(quantity: Quantity, unit: Said) -> Result<Unit, (DiagnosticKind, String)> {
     match unit {
         Said::Unit(unit) => Ok(unit),
@@ -167,7 +167,7 @@ impl Columns<'_> {
         self.of(Quantity::Material).map(|column| column.index)
     }
 
-    /// The table that the columns make.
+    /// The kind of table that the columns define.
     fn layout(&self) -> Result<Layout, DiagnosticKind> {
         let is_of_cans = self.has(Quantity::Bottom) || self.has(Quantity::Top);
         if is_of_cans && self.has(Quantity::Height) {

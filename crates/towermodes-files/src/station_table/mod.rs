@@ -3,7 +3,7 @@
 //!
 //! A can is a row with bottom, top, diameters and wall, a station a row with height, diameter and
 //! wall. The header gives the quantity and the unit of each column. Columns are separated by
-//! commas, semicolons or tabs; with semicolons or tabs a comma may be the decimal sign.
+//! commas, semicolons or tabs; with semicolons or tabs a comma may be the decimal separator.
 
 mod cans;
 mod header;
@@ -17,7 +17,7 @@ use crate::csv_table::{MAX_MISTAKES, Numbers, Record, Records, no_rows, rows};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use header::{Header, Layout};
 
-/// More rows than these are refused: no tower has them, and each takes memory in the solution.
+/// Largest number of rows: no tower has more, and each row needs memory in the solution.
 const MAX_ROWS: usize = 100_000;
 
 /// A station with the places of its values.
@@ -29,7 +29,7 @@ pub(crate) struct Placed {
 }
 
 /// The index of the material with a name, or of the default material for rows without a name; or
-/// what is wrong, and what would be right.
+/// the mistake and a suggestion.
 pub(crate) type MaterialOf<'m> =
     &'m dyn Fn(Option<&str>) -> Result<usize, (DiagnosticKind, String)>;
 
@@ -71,7 +71,7 @@ pub(crate) fn stations(
     Ok(stations)
 }
 
-/// What is collected while rows are read.
+/// Data that are collected while rows are read.
 struct Reading<'a> {
     header: &'a Header,
     numbers: Numbers<'a>,
@@ -156,7 +156,7 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// Which material a row is made of.
+    /// The material of a row.
     fn material(&mut self, column: Option<usize>, record: &Record<'a>) -> Option<usize> {
         let cell = column.and_then(|index| record.cells.get(index));
         let cell = cell.filter(|cell| !cell.text.is_empty());

@@ -1,4 +1,4 @@
-//! The words of a column's header: which quantity they name, and in which unit.
+//! The words of a column header: the quantity that they name, and the unit.
 
 use crate::csv_table::Unit;
 
@@ -46,7 +46,7 @@ pub(super) enum Said {
     Nothing,
 }
 
-/// The words of a header in small letters, and its unit: in brackets, or as the last word.
+/// The words of a header in lower case, and its unit: in brackets, or as the last word.
 pub(super) fn words_and_unit(text: &str) -> (Vec<String>, Said) {
     let lower = text.to_lowercase();
     let (name, bracketed) = match lower.split_once(['[', '(']) {
@@ -72,7 +72,7 @@ pub(super) fn words_and_unit(text: &str) -> (Vec<String>, Said) {
     (words, said)
 }
 
-/// The parts that the words of a header are made of; names that are written in one are taken apart.
+/// The parts of the words of a header; compound names are divided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Part {
     Height,
@@ -82,7 +82,7 @@ enum Part {
     Wall,
     Material,
     Remark,
-    /// A word that changes nothing.
+    /// A word without effect.
     Filler,
 }
 
@@ -110,7 +110,7 @@ fn parts(word: &str) -> Option<&'static [Part]> {
     })
 }
 
-/// The quantity that words name together.
+/// The quantity that the words name together.
 pub(super) fn quantity(words: &[String]) -> Option<Quantity> {
     let mut found = Vec::new();
     for word in words {
@@ -137,7 +137,7 @@ pub(super) fn quantity(words: &[String]) -> Option<Quantity> {
     })
 }
 
-/// Names that a misspelled word is compared with.
+/// Names with which a misspelled word is compared.
 const NAMES: [&str; 8] = [
     "height",
     "bottom",
@@ -149,7 +149,7 @@ const NAMES: [&str; 8] = [
     "remark",
 ];
 const ALL_COLUMNS: &str = "columns are bottom, top, bottom diameter, top diameter (or diameter), wall, material of cans; height, diameter, wall, material of stations; and remark, which is not read";
-/// Quantities that are not read, and what is read instead.
+/// Quantities that are not read, and the quantities to give instead.
 const OTHERS: [(&[&str], &str); 2] = [
     (
         &[
@@ -168,7 +168,7 @@ const OTHERS: [(&[&str], &str); 2] = [
     (&["length"], "give the heights of bottom and top"),
 ];
 
-/// What would be right in place of words that are not known.
+/// The suggestion for unknown words.
 pub(super) fn unknown(words: &[String]) -> String {
     let has = |known: &[&str]| words.iter().any(|word| known.contains(&&**word));
     if let Some((_, hint)) = OTHERS.iter().find(|(known, _)| has(known)) {

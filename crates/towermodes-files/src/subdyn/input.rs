@@ -13,13 +13,13 @@ use crate::source::Source;
 /// The support of the interface joints of a substructure.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Interface {
-    /// Each moves for itself, without a transition piece: the "full" frequencies in the summary of
-    /// SubDyn.
+    /// Independent motion of each joint, without a transition piece: the "full" frequencies in the
+    /// summary of SubDyn.
     #[default]
     Free,
-    /// They move with a rigid transition piece with this reference point (m).
+    /// Motion with a rigid transition piece with this reference point (m).
     Rigid([f64; 3]),
-    /// The transition piece is held: the Craig-Bampton frequencies of SubDyn.
+    /// Fixed transition piece: the Craig-Bampton frequencies of SubDyn.
     Held,
 }
 
@@ -32,19 +32,19 @@ pub struct SubdynInput {
     pub description: FrameDescription,
     /// The joints of the transition piece, from 0.
     pub interface_joints: Vec<usize>,
-    /// Parts into which SubDyn divides each beam.
+    /// Number of parts into which SubDyn divides each beam.
     pub divisions: usize,
-    /// Notes on what the reader decided or left out.
+    /// Notes on decisions of the reader and omitted data.
     pub notes: Vec<Note>,
-    /// The reaction joints that nothing in the file holds, each with its note. A file of SoilDyn
-    /// may hold them.
+    /// The reaction joints without a support in the file, each with its note. A SoilDyn file may
+    /// give the support.
     pub(super) loose: Vec<(usize, Note)>,
     /// The file, then the files of soil stiffness.
     pub(crate) sources: Vec<Source>,
     pub(super) spans: Spans,
 }
 
-/// The bytes of the rows of the main file.
+/// The byte ranges of the rows of the main file.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Spans {
     pub(super) joints: Vec<Range<usize>>,
@@ -55,11 +55,11 @@ pub(super) struct Spans {
 }
 
 impl SubdynInput {
-    /// The frame with its interface joints held in one of the ways.
+    /// The frame with one of the supports of its interface joints.
     ///
     /// # Errors
-    /// [`ReadError::Mistakes`] at the line of what no frame can have, or [`Interface::Rigid`] or
-    /// [`Interface::Held`] without interface joints.
+    /// [`ReadError::Mistakes`] at the line of a value that is impossible for a frame, or
+    /// [`Interface::Rigid`] or [`Interface::Held`] without interface joints.
     pub fn frame(&self, interface: Interface) -> Result<Frame, ReadError> {
         let (position_m, is_held) = match interface {
             Interface::Free => (None, false),
@@ -78,14 +78,14 @@ impl SubdynInput {
         Frame::new(description).map_err(|error| self.mistake(error))
     }
 
-    /// SubDyn's own elements.
+    /// The elements of SubDyn.
     pub fn recipe(&self) -> FrameRecipe {
         FrameRecipe::Subdyn {
             divisions: self.divisions,
         }
     }
 
-    /// The note on what a substructure alone lacks.
+    /// The note on the parts that a single substructure lacks.
     pub fn note_on_parts(&self) -> Note {
         Note::missing_part(
             "a SubDyn file contains only the substructure: no tower, no turbine, no water and no gravity",
@@ -118,7 +118,7 @@ impl SubdynInput {
         found.map(|(_, span)| span)
     }
 
-    /// The bytes of each part in the main file, for a tower on this frame.
+    /// The byte range of each part in the main file, for a tower on this frame.
     pub(crate) fn places(&self) -> impl Iterator<Item = (FramePart, Range<usize>)> {
         let spans = &self.spans;
         let kinds: [Rows<'_, FramePart>; 4] = [
@@ -136,7 +136,7 @@ impl SubdynInput {
         self.spans.members.get(index).map_or(0, |row| row.start)
     }
 
-    /// The files it was read from, the main one first.
+    /// The files that were read, the main one first.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.sources.iter().map(|source| source.name.as_str())
     }

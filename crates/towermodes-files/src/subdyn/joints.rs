@@ -9,11 +9,11 @@ use crate::source::Source;
 
 const COORDINATES: [&str; 3] = ["JointXss", "JointYss", "JointZss"];
 const DIRECTIONS: [&str; 3] = ["JointDirX", "JointDirY", "JointDirZ"];
-/// The kind of joint, and its stiffness.
+/// The column of the joint type, and its name.
 const TYPE: (usize, &str) = (4, "JointType");
 const STIFFNESS: (usize, &str) = (8, "JointStiff");
 
-/// The joints, and notes on what they do not use.
+/// The joints, and notes on unused values.
 pub(super) fn joints(
     rows: &[Row<'_>],
     source: &Source,
@@ -27,7 +27,8 @@ pub(super) fn joints(
     Ok((joints?, notes))
 }
 
-/// Whether all joints are welded and all members circular: files of FAST 8, by the first row.
+/// Whether all joints are welded and all members circular, as in files of FAST 8, according to the
+/// first row.
 pub(super) fn is_old(rows: &[Row<'_>]) -> bool {
     rows.first().is_some_and(|row| row.numbers() == 4)
 }

@@ -1,4 +1,4 @@
-//! The table of members: what each is and which properties it has.
+//! The table of members: the type of each and its properties.
 
 use towermodes::Material;
 use towermodes::frame::{
@@ -15,7 +15,7 @@ use crate::source::Source;
 /// The first joint, and the first property set.
 const JOINT: usize = 1;
 const SET: usize = 3;
-/// The kind of member, and the column behind it: a spin or the number of a cosine matrix.
+/// The column of the member type; the next column is a spin or the number of a cosine matrix.
 const TYPE: usize = 5;
 const TURN: usize = 6;
 
@@ -30,23 +30,23 @@ enum Type {
     Spring,
 }
 
-/// The members, their property sets' places, and notes.
+/// The members, the places of their property sets, and notes.
 #[derive(Debug, Default)]
 pub(super) struct Members {
     pub(super) members: Vec<FrameMember>,
     pub(super) notes: Vec<Note>,
 }
 
-/// What the rows of a table refer to.
+/// The data that the rows of a table refer to.
 pub(super) struct Context<'a> {
     pub(super) source: &'a Source,
     /// The numbers of the joints, and the joints.
     pub(super) ids: &'a Ids,
     pub(super) joints: &'a [FrameJoint],
     pub(super) properties: &'a Properties,
-    /// Whether beams deform by shear.
+    /// Whether beams have shear deformation.
     pub(super) shears: bool,
-    /// Whether the file is one of FAST 8, in which all members are circular tubes.
+    /// Whether the file is from FAST 8, in which all members are circular tubes.
     pub(super) is_old: bool,
 }
 
@@ -78,7 +78,7 @@ pub(super) fn members(section: &Section<'_>, context: &Context<'_>) -> Result<Me
 #[derive(Debug, Clone, Copy)]
 struct Layout {
     has_type: bool,
-    /// Whether the column behind the type is a spin for beams, since OpenFAST 4.1, and not the
+    /// Whether the column after the type is a spin for beams, since OpenFAST 4.1, instead of the
     /// number of a cosine matrix.
     has_spin: bool,
 }
@@ -177,7 +177,7 @@ fn ends<'s, T>(row: &Row<'_>, sets: &'s Sets<T>) -> Result<[&'s T; 2], Diagnosti
     Ok([sets.used(from), sets.used(to)])
 }
 
-/// The property set of a member that has the same one at both ends.
+/// The property set of a member that must have the same set at both ends.
 fn only<'s, T>(row: &Row<'_>, sets: &'s Sets<T>) -> Result<&'s T, Diagnostic> {
     let [first, second] = [
         row.integer(SET, "MPropSetID1")?,
@@ -215,7 +215,8 @@ fn check_material(row: &Row<'_>, from: &Material, to: &Material) -> Result<(), D
     }
 }
 
-/// A member is solid at both ends or at none: SubDyn takes the mean of the walls.
+/// Checks that a member is solid at both ends or at none, because SubDyn uses the mean of the
+/// walls.
 fn check_solid(row: &Row<'_>, from_m: f64, to_m: f64) -> Result<(), Diagnostic> {
     if (from_m == 0.0) == (to_m == 0.0) {
         return Ok(());
@@ -271,7 +272,7 @@ fn turned(
     }
 }
 
-/// A member whose cosine matrix the file does not have, and why it needs none: older versions of
+/// A member whose cosine matrix the file does not contain, and why it needs none: older versions of
 /// SubDyn read its number without using it.
 fn without_matrix(
     mut member: FrameMember,

@@ -31,7 +31,7 @@ impl<T> Sets<T> {
         Ok(Self { ids, values })
     }
 
-    /// The property set at an index, which then is one that is used.
+    /// The property set at an index; it is marked as used.
     pub(super) fn used(&self, index: usize) -> &T {
         let (value, is_used) = &self.values[index];
         is_used.set(true);
@@ -145,7 +145,7 @@ fn material(row: &Row<'_>) -> Result<Material, Diagnostic> {
     Ok(Material::from_shear_modulus(density, young, shear))
 }
 
-/// A wall of 0 is a solid section.
+/// The material and the tube; a wall thickness of 0 means a solid section.
 fn circular(row: &Row<'_>) -> Result<(Material, Tube), Diagnostic> {
     let material = material(row)?;
     let [outer_diameter_m, wall_m] = row.numbers_from(4, ["XsecD", "XsecT"])?;
@@ -173,7 +173,8 @@ fn rectangular(row: &Row<'_>) -> Result<(Material, Rectangle), Diagnostic> {
     Ok((material, rectangle))
 }
 
-/// Without a torsion constant of its own, as before OpenFAST 4.1, torsion has the polar moment.
+/// The material and the section; without a torsion constant, as before OpenFAST 4.1, the polar
+/// moment is used for torsion.
 fn arbitrary(row: &Row<'_>) -> Result<(Material, GivenSection), Diagnostic> {
     let material = material(row)?;
     let names = [
@@ -228,7 +229,7 @@ fn cosines(row: &Row<'_>) -> Result<[[f64; 3]; 3], Diagnostic> {
     Ok([[a, b, c], [d, e, f], [g, h, i]])
 }
 
-/// The mistake of a member with unlike properties at its ends.
+/// The mistake of a member with different properties at its ends.
 pub(super) fn unlike(row: &Row<'_>, column: usize, message: String, hint: &str) -> Diagnostic {
     let kind = DiagnosticKind::Contradiction(message);
     row.wrong(column, kind).with_hint(hint.to_owned())

@@ -1,4 +1,4 @@
-//! Reads a file as a whole.
+//! Reads a SubDyn file completely.
 
 use towermodes::frame::{FrameDescription, FrameMember, MemberKind};
 
@@ -21,7 +21,7 @@ use crate::source::Source;
 /// Reads an input file of SubDyn; `files` gives the files of soil stiffness that it names.
 ///
 /// # Errors
-/// The first mistake in the file or in one of these, at its place.
+/// The first mistake in the file or in a file of soil stiffness, at its place.
 ///
 /// # Example
 /// ```no_run
@@ -160,13 +160,13 @@ fn input(sections: &Sections<'_>, found: Found, reactions: Reactions) -> SubdynI
     }
 }
 
-/// The second line.
+/// The title, which is the second line.
 fn title(text: &str) -> String {
     let line = crate::records::Lines::new(text).nth(1);
     line.map_or("", |line| line.text.trim()).to_owned()
 }
 
-/// The notes on kinds of members for which SubDyn has assumptions of its own.
+/// The notes on kinds of members for which SubDyn makes its own assumptions.
 fn notes_on_kinds(members: &[FrameMember], sections: &Sections<'_>, source: &Source) -> Vec<Note> {
     let rows = sections.rows(Kind::Members);
     let first = |is_it: &dyn Fn(&MemberKind) -> bool| {
@@ -186,11 +186,11 @@ fn notes_on_kinds(members: &[FrameMember], sections: &Sections<'_>, source: &Sou
         ),
         (
             rigid,
-            "the mass of a rigid link is distributed as in SubDyn, by the cubic shapes of a cable: its inertia about an end is 11 % too large across the link",
+            "the mass of a rigid link is distributed as in SubDyn, with the cubic shape functions of a cable: its moment of inertia about an end, normal to the link, is 11 % too large",
         ),
         (
             spring,
-            "a spring has no lever arm, as in SubDyn: if its joints are apart, its shear forces are not in balance",
+            "a spring has no lever arm, as in SubDyn: if its joints are apart, the moment of its shear forces is not in equilibrium",
         ),
     ];
     let notes = messages.into_iter().filter_map(|(place, message)| {

@@ -1,9 +1,9 @@
-//! Assemblies of rigid links, which may contain only one joint of the interface.
+//! Assemblies of rigid links, each of which may contain only one interface joint.
 
 use towermodes::frame::{FrameMember, MemberKind};
 
-/// A rigid link by its index, and two interface joints that it connects with others, if there are
-/// such ones.
+/// A rigid link by its index, and two interface joints that it connects, directly or through
+/// others, if there are such joints.
 pub(super) fn two_interfaces(
     members: &[FrameMember],
     joints: usize,
@@ -31,7 +31,7 @@ pub(super) fn two_interfaces(
     None
 }
 
-/// The joint that stands for the group of a joint; the path to it becomes shorter.
+/// The joint that represents the group of a joint; the path to it is shortened.
 fn root(groups: &mut [usize], joint: usize) -> usize {
     let mut at = joint;
     while groups[at] != at {

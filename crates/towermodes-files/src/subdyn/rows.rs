@@ -6,7 +6,7 @@ use std::ops::Range;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Token};
 
-/// No row has more values.
+/// Largest number of values of a row.
 const MOST: usize = 64;
 
 /// A row of a table.
@@ -29,7 +29,7 @@ impl<'a> Row<'a> {
         self.tokens.iter().take_while(|t| t.is_number()).count()
     }
 
-    /// The value of a column, from 0, if it is there.
+    /// The value of a column, from 0, if it exists.
     pub(super) fn get(&self, column: usize) -> Option<&Token<'a>> {
         self.tokens.get(column)
     }
@@ -49,7 +49,7 @@ impl<'a> Row<'a> {
         token.number(&format!("{name} in {}", self.name))
     }
 
-    /// The numbers in columns that follow each other.
+    /// The numbers in successive columns.
     pub(super) fn numbers_from<const N: usize>(
         &self,
         first: usize,
@@ -62,7 +62,8 @@ impl<'a> Row<'a> {
         Ok(values)
     }
 
-    /// The whole number in a column; `5.0` is one, as Fortran reads some tables as numbers.
+    /// The integer in a column; `5.0` is accepted, because Fortran reads some tables as real
+    /// numbers.
     pub(super) fn integer(&self, column: usize, name: &str) -> Result<i64, Diagnostic> {
         let token = self.token(column, name)?;
         let value = token.number("").ok().filter(|value| value.fract() == 0.0);
@@ -91,7 +92,8 @@ impl<'a> Row<'a> {
         Diagnostic::new(span, kind)
     }
 
-    /// A row with another number of values than its layouts have, or with NaN or infinity in it.
+    /// The mistake of a row whose number of values fits none of its layouts, or that contains NaN
+    /// or infinity.
     pub(super) fn wrong_count(&self, expected: &str, hint: &str) -> Diagnostic {
         let token = self.get(self.numbers());
         let no_number = token.filter(|token| token.text.parse::<f64>().is_ok());
@@ -144,7 +146,7 @@ impl Ids {
         Ok(Self { what, indices })
     }
 
-    /// The index of the row whose number is in a column of another row.
+    /// The index of the row whose number is given in a column of another row.
     pub(super) fn find(
         &self,
         row: &Row<'_>,
@@ -163,7 +165,7 @@ impl Ids {
                         self.indices.len()
                     )
                 }
-                (Some(only), _) => format!("the table has only number {only}"),
+                (Some(only), _) => format!("the only number in the table is {only}"),
                 _ => "its table has no rows".to_owned(),
             })
         };

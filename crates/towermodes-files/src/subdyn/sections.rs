@@ -22,8 +22,8 @@ pub(super) enum Kind {
     Masses,
 }
 
-/// A table: its kind, its heading in messages, words of its heading in files, and the names that
-/// the number of its rows has had.
+/// A table: its kind, its heading in messages, words of its heading in files, and all names that
+/// its number of rows has had.
 struct Known {
     kind: Kind,
     heading: &'static str,
@@ -31,7 +31,8 @@ struct Known {
     counts: &'static [&'static str],
 }
 
-/// The rectangular sections are before the circular ones, whose older name both have had.
+/// The rectangular sections come before the circular ones, because the older name of the circular
+/// ones was used for both.
 #[rustfmt::skip]
 const TABLES: [Known; 12] = [
     Known { kind: Kind::Joints, heading: "STRUCTURE JOINTS", words: &["STRUCTURE JOINTS"], counts: &["njoints"] },
@@ -58,7 +59,7 @@ pub(super) struct Section<'a> {
 }
 
 impl Section<'_> {
-    /// Whether a column has a name.
+    /// Whether a column with this name exists.
     pub(super) fn has_column(&self, name: &str) -> bool {
         // What the brackets and comments behind the names explain is not a column.
         let names = self.names.split(['[', '!']).next().unwrap_or_default();
@@ -100,12 +101,12 @@ impl<'a> Sections<'a> {
         self.found.iter().find(|section| section.kind == kind)
     }
 
-    /// The rows of a table; none if the file does not have it, as older files do not.
+    /// The rows of a table; empty if the file does not contain it, as in older files.
     pub(super) fn rows(&self, kind: Kind) -> &[Row<'a>] {
         self.find(kind).map_or(&[], |section| &section.rows)
     }
 
-    /// A table that each file has.
+    /// A table that each file must have.
     pub(super) fn expect(&self, kind: Kind) -> Result<&Section<'a>, Diagnostic> {
         let missing = || {
             let heading = TABLES.iter().find(|known| known.kind == kind);
@@ -130,7 +131,8 @@ fn plain(name: &str) -> String {
     letters.map(|letter| letter.to_ascii_lowercase()).collect()
 }
 
-/// The table that a heading begins, by the name of its number of rows, or else by its words.
+/// The table that a heading begins, identified by the name of its number of rows, otherwise by its
+/// words.
 fn known(heading: &Line<'_>, after: &Lines<'_>) -> Option<&'static Known> {
     let count = after.clone().find(|line| !line.is_blank())?;
     let first = count.first().filter(Token::is_number)?;
@@ -239,7 +241,7 @@ impl<'a> Count<'a> {
         Ok(Self { token, name, rows })
     }
 
-    /// The mistake of a line after the rows that is no heading.
+    /// The mistake of a line after the rows that is not a heading.
     fn too_many(&self, line: &Line<'_>, heading: &str) -> Diagnostic {
         let expected = format!("the heading of the table after {heading}");
         let kind = DiagnosticKind::misplaced(expected, quoted(line.text.trim()));
@@ -250,7 +252,7 @@ impl<'a> Count<'a> {
     }
 }
 
-/// The mistake of a line that is no row, or of the end of the file.
+/// The mistake of a line that is not a row, or of the end of the file.
 fn too_few(lines: &Lines<'_>, what: &str, count: &Count<'_>, rows: usize) -> Diagnostic {
     let hint = format!(
         "{} is {}, but there {} above",

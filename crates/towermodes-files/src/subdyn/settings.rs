@@ -1,22 +1,22 @@
 //! The parameters before the tables: the kind of element and the number of parts of each member,
-//! and those that have no meaning here.
+//! and those that have no effect here.
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 use crate::records::{Line, Lines, Token};
 use crate::source::Source;
 
-/// The parameters are among the first lines.
+/// Number of lines in which the parameters are searched.
 const FIRST_LINES: usize = 100;
-/// No member is divided into more parts.
+/// Largest number of parts of a member.
 const MOST_PARTS: i64 = 1000;
 
 /// The settings for the elements of members in SubDyn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Settings {
-    /// Whether beams deform by shear (`FEMMod` 3).
+    /// Whether beams have shear deformation (`FEMMod` 3).
     pub(super) shears: bool,
-    /// Parts of each beam (`NDiv`).
+    /// Number of parts of each beam (`NDiv`).
     pub(super) divisions: usize,
 }
 
@@ -74,7 +74,7 @@ pub(super) fn settings(text: &str) -> Result<Settings, Diagnostic> {
     })
 }
 
-/// The notes on parameters that change nothing here.
+/// The notes on parameters that have no effect here.
 pub(super) fn notes(source: &Source) -> Vec<Note> {
     let text = &source.text;
     let mut notes = Vec::new();

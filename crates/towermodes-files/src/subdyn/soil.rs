@@ -10,7 +10,7 @@ use crate::source::Source;
 /// The motions in the names of entries: `Kxty` is the force in x for a rotation about y.
 const MOTIONS: [&str; 6] = ["x", "y", "z", "tx", "ty", "tz"];
 
-/// An entry may be larger than those on the diagonal allow by the rounding of its digits.
+/// Due to rounding an entry may exceed the limit set by the diagonal entries by this factor.
 const ROUNDED: f64 = 1.0 + 1e-6;
 
 /// An entry of the file.
@@ -22,7 +22,7 @@ struct Entry<'a> {
     value: f64,
 }
 
-/// Reads the entries into the matrices of a support; entries that the file does not have are 0.
+/// Reads the entries into the matrices of a support; missing entries are 0.
 ///
 /// # Errors
 /// The first mistake in the file.
@@ -68,7 +68,7 @@ pub(super) fn read_soil(source: &Source, support: &mut FrameSupport) -> Result<(
     Ok(())
 }
 
-/// The entry of a name, above or below the diagonal.
+/// The entry with a name, above or below the diagonal.
 fn entry_of<'a>(name: &Token<'a>, value: f64) -> Option<Entry<'a>> {
     let (is_stiffness, row, column) = entry(&name.text.to_ascii_lowercase())?;
     Some(Entry {
@@ -99,7 +99,7 @@ impl Entry<'_> {
         entry(self) == entry(other)
     }
 
-    /// The mistake of an entry that is given before.
+    /// The mistake of an entry that was given before.
     fn repeats(&self, before: &Self, source: &Source) -> Diagnostic {
         let hint = "the matrices are symmetric: give each entry once";
         let (own, other) = (self.name.text, before.name.text);
@@ -118,9 +118,9 @@ impl Entry<'_> {
         self.name.wrong(kind).with_hint(hint)
     }
 
-    /// Refuses a stiffness that is larger than those on the diagonal allow: some motion would have
-    /// a negative one. Motions that the support holds do not count; the mass of the structure adds
-    /// to that of the soil.
+    /// Refuses a stiffness that is larger than the diagonal entries allow, because some motion
+    /// would have a negative stiffness. Motions that the support fixes are not checked; for masses
+    /// there is no such check, because the mass of the structure is added.
     fn check_size(
         &self,
         given: &[Self],
@@ -160,7 +160,7 @@ impl Entry<'_> {
     }
 }
 
-/// Whether an entry is one of the stiffness, its row and its column.
+/// Whether an entry belongs to the stiffness, its row and its column.
 fn entry(name: &str) -> Option<(bool, usize, usize)> {
     let (matrix, motions) = name.split_at_checked(1)?;
     let is_stiffness = match matrix {

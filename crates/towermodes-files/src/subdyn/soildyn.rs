@@ -2,7 +2,7 @@
 //! substructure (CalcOption 1).
 //!
 //! Source: `SoilDyn_IO.f90` (OpenFAST), which reads it by position. The number of points is not in
-//! the file: it has one.
+//! the file, because there is only one.
 
 use towermodes::frame::FrameSupport;
 use towermodes::space::SpatialMatrix;
@@ -14,7 +14,7 @@ use crate::note::Note;
 use crate::records::{Line, Lines, Token};
 use crate::source::Source;
 
-/// A joint is that of a point of soil if it is nearer than this, m, as in OpenFAST.
+/// A joint belongs to a point of soil if its distance is smaller than this, m, as in OpenFAST.
 const NEAR_M: f64 = 0.1;
 
 /// Soil at a point, as its file describes it.
@@ -22,9 +22,9 @@ const NEAR_M: f64 = 0.1;
 pub struct SoildynInput {
     /// Position of the point, m.
     pub position_m: [f64; 3],
-    /// Stiffness against the motion (x, y, z, rotation about x, y, z) of the point: N/m, N, N m.
+    /// Stiffness for motions (x, y, z, rotation about x, y, z) of the point: N/m, N, N m.
     pub stiffness: SpatialMatrix,
-    /// Notes on what the reader left out.
+    /// Notes on omitted data.
     pub notes: Vec<Note>,
     pub(crate) source: Source,
     /// The byte of the position.
@@ -145,7 +145,7 @@ fn numbers<const N: usize>(line: &Line<'_>, what: &str) -> Result<[f64; N], Diag
     Ok(values)
 }
 
-/// Entries that differ by rounding of printed digits are the same.
+/// Entries count as equal if they differ only by rounding of printed digits.
 const SYMMETRIC: f64 = 1e-6;
 
 fn check_symmetric(matrix: &SpatialMatrix, at: usize, text: &str) -> Result<(), Diagnostic> {
@@ -180,11 +180,11 @@ fn check_symmetric(matrix: &SpatialMatrix, at: usize, text: &str) -> Result<(), 
 }
 
 impl SubdynInput {
-    /// Puts the soil of a SoilDyn file on the joint at its point.
+    /// Adds the soil of a SoilDyn file to the joint at its point.
     ///
     /// # Errors
     /// [`ReadError::Mistakes`] in the SoilDyn file if no joint is within 0.1 m of the point, or if
-    /// all motions of this joint are held.
+    /// all motions of this joint are fixed.
     pub fn stand_on(&mut self, soil: &SoildynInput) -> Result<(), ReadError> {
         let joint = self.joint_at(soil).map_err(|kind| {
             let text = &soil.source.text;
@@ -215,7 +215,7 @@ impl SubdynInput {
         Ok(())
     }
 
-    /// The joint at the point of soil, which moves.
+    /// The joint at the point of soil, which must have a free motion.
     fn joint_at(&self, soil: &SoildynInput) -> Result<usize, DiagnosticKind> {
         let distance = |position_m: &[f64; 3]| {
             let squares = position_m.iter().zip(&soil.position_m);

@@ -22,10 +22,10 @@ const SOIL_FILE: usize = 7;
 /// The reaction joints.
 #[derive(Debug, Default)]
 pub(super) struct Reactions {
-    /// The supports, each with the index of its row; joints that nothing holds have none.
+    /// The supports, each with the index of its row; joints without support are not included.
     pub(super) supports: Vec<(usize, FrameSupport)>,
     pub(super) notes: Vec<Note>,
-    /// The joints of the table that nothing holds, each with its note.
+    /// The joints of the table without support, each with its note.
     pub(super) loose: Vec<(usize, Note)>,
     /// The files of soil stiffness.
     pub(super) sources: Vec<Source>,

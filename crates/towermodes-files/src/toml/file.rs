@@ -89,7 +89,7 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
     })
 }
 
-/// Everything but the tower itself: its foundation and surroundings, the bodies on it, gravity.
+/// Everything except the tower itself: its foundation and surroundings, the bodies on it, gravity.
 fn around(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
     let (foundation, soil) = (foundation(root, reading), soil(root, reading));
     let ground = ground(root, reading);
@@ -162,7 +162,7 @@ fn of_tubes(
     })
 }
 
-/// Hints on keys of tubes beside a table of properties.
+/// Hints on keys of tubes in a file with a table of properties.
 const NOT_NEEDED: &str = "remove it: the table has the masses and the stiffness";
 const SHEAR_COLUMNS: &str = "give the table the columns shear_stiffness_fore_aft_n and shear_stiffness_side_side_n (kappa GA, N)";
 

@@ -8,7 +8,7 @@ use super::text::table::{Table, suggestion};
 use super::text::values::{Value, list, number, number_or_infinity, text, truth, wrong_kind};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// Reads the values of a table into a blank one; none after a mistake. `at` gives the place of a
+/// Reads the values of a table into a blank struct; none after a mistake. `at` gives the place of a
 /// key.
 pub(super) fn read<T: Inputs>(
     mut inputs: T,
@@ -20,7 +20,7 @@ pub(super) fn read<T: Inputs>(
     Some(inputs)
 }
 
-/// The same in place.
+/// Reads the values of a table into an existing struct.
 pub(super) fn read_into(
     inputs: &mut dyn Inputs,
     table: &Table<'_>,
@@ -101,7 +101,7 @@ fn groups<'t>(
     (groups, are_tables)
 }
 
-/// A value of a table, or what stands for it where it is left out.
+/// A value of a table, or its default if it is omitted.
 fn value(
     (input, key): (&'static Input, &'static str),
     blank: Given,
@@ -191,7 +191,7 @@ fn triple(value: &Value<'_>, input: &Input, reading: &mut Reading) -> Option<[f6
     Some([x?, y?, z?])
 }
 
-/// Refuses a value that has no effect beside the others.
+/// Refuses a value that has no effect with the other values.
 fn refuse_idle(input: &Input, table: &Table<'_>, reading: &mut Reading) -> Option<()> {
     let (because, remedy) = match (input.yields_to, input.needs) {
         (Some(other), _) => (format!("together with `{other}`"), "keep one of the two"),
@@ -208,7 +208,7 @@ fn refuse_idle(input: &Input, table: &Table<'_>, reading: &mut Reading) -> Optio
     table.refuse_unused(input.key, because, remedy, reading)
 }
 
-/// What a file is told that lacks a required value.
+/// The hint for a missing required value.
 fn hint(input: &Input, blank: Given) -> String {
     match (input.hint, blank, input.unit()) {
         ("", Given::Name(_, names), _) => {

@@ -48,7 +48,7 @@ pub use write::{write_toml, write_toml_with};
 ///
 /// # Errors
 /// The mistakes found, at most a hundred, in the order of the lines; never an empty list. Stations
-/// in a file of their own are a mistake here: use [`read_tower`](crate::read_tower).
+/// in a separate file are a mistake here: use [`read_tower`](crate::read_tower).
 pub fn tower_from_toml(text: &str) -> Result<Tower, Vec<Diagnostic>> {
     let reading = describe(text, None).map_err(Refused::in_text)?;
     let places = reading.places;
@@ -59,7 +59,7 @@ pub fn tower_from_toml(text: &str) -> Result<Tower, Vec<Diagnostic>> {
 /// [`Tower::new`].
 ///
 /// # Errors
-/// All mistakes of the file itself, as [`tower_from_toml`] has them.
+/// All mistakes of the file itself, as in [`tower_from_toml`].
 pub fn description_from_toml(text: &str) -> Result<TowerDescription, Vec<Diagnostic>> {
     let described = describe(text, None).map_err(Refused::in_text)?;
     Ok(described.description)
@@ -68,7 +68,7 @@ pub fn description_from_toml(text: &str) -> Result<TowerDescription, Vec<Diagnos
 /// Reads a tower from a TOML file; `files` gives the file of the stations if there is one.
 ///
 /// # Errors
-/// [`ReadError::Mistakes`] with all that were found.
+/// [`ReadError::Mistakes`] with all mistakes that were found.
 pub(crate) fn read_toml(source: Source, files: &dyn FileResolver) -> Result<TowerInput, ReadError> {
     match describe(&source.text, Some(files)) {
         Ok(described) => {
@@ -88,12 +88,12 @@ pub(crate) fn read_toml(source: Source, files: &dyn FileResolver) -> Result<Towe
     }
 }
 
-/// The description in a file, the places of its values, and the files beside it.
+/// The description in a file, the places of its values, and the files that it names.
 struct Described {
     description: TowerDescription,
     places: Places,
     notes: Vec<(usize, &'static str)>,
-    /// Notes on files beside it.
+    /// Notes on the files that it names.
     other_notes: Vec<Note>,
     others: Vec<Source>,
     turbine: Option<TurbineDescription>,
@@ -106,7 +106,7 @@ enum Refused {
 }
 
 impl Refused {
-    /// The mistakes of a text that has no files beside it.
+    /// The mistakes of a text that names no files.
     fn in_text(self) -> Vec<Diagnostic> {
         match self {
             Self::Text(mistakes) | Self::OtherFile(_, mistakes) => mistakes,
@@ -120,7 +120,7 @@ impl From<Diagnostic> for Refused {
     }
 }
 
-/// The file that a value in tables within each other names, if it is a text.
+/// The file that a value in nested tables names, if it is a text.
 fn named_file(
     root: &DeTable<'_>,
     tables: &[&str],
@@ -136,7 +136,7 @@ fn named_file(
     files.map(|files| files.read(path))
 }
 
-/// The files beside a tower file in the order of their places.
+/// The files that a tower file names, in the order of their indices.
 fn others(stations: Vec<Source>, profiles: Vec<ProfileFile>, blade: Option<Source>) -> Vec<Source> {
     let profiles = profiles.into_iter().filter_map(|file| file.source.ok());
     stations.into_iter().chain(profiles).chain(blade).collect()

@@ -27,8 +27,8 @@ fn at(item: MooringItem) -> Place {
     Place::Mooring { item }
 }
 
-/// The mooring lines: `Some(None)` if there are none, `None` after a mistake. Where the file does
-/// not give their gravity it is that of the tower, if that has any.
+/// The mooring lines: `Some(None)` if there are none, `None` after a mistake. If the file does not
+/// give their gravity, it is that of the tower, if the tower has gravity.
 pub(super) fn mooring(
     root: &Table<'_>,
     gravity_m_per_s2: Option<f64>,
@@ -132,7 +132,7 @@ struct Named<T> {
     names: Vec<String>,
 }
 
-/// The names of a list; any name may be one of a list with mistakes.
+/// The names of a list; if the list has mistakes, any name may belong to it.
 fn names<T>(what: &'static str, named: &Option<Named<T>>) -> Names {
     match named {
         Some(named) => Names::of(what, named.names.iter().map(String::as_str)),

@@ -2,7 +2,7 @@
 //!
 //! The reader takes the known keys from it and the writer the comments; tests check that the help
 //! of `solve` and the book name each key. Tables whose values are described beside their fields
-//! ([`towermodes::inputs`]) are made of these descriptions.
+//! ([`towermodes::inputs`]) are made from these descriptions.
 
 use std::sync::LazyLock;
 
@@ -16,7 +16,7 @@ use towermodes::{
 /// A table of the tower file.
 #[derive(Debug)]
 pub struct TableSchema {
-    /// Its name in messages, such as `[rna]`; of a foundation with its type.
+    /// Its name in messages, such as `[rna]`; for a foundation with its type.
     pub name: &'static str,
     /// Its keys, in the order in which they are written.
     pub keys: &'static [KeySchema],
@@ -29,13 +29,13 @@ pub struct KeySchema {
     pub name: &'static str,
     /// The type of its value.
     pub kind: ValueKind,
-    /// Whether the table must have it.
+    /// Whether the table must contain it.
     pub is_required: bool,
     /// The unit of its numbers; empty for none.
     pub unit: &'static str,
     /// Its meaning.
     pub meaning: &'static str,
-    /// Other names of it, in other programs and on drawings, separated by blanks.
+    /// Its other names in other programs and on drawings, separated by blanks.
     pub synonyms: &'static str,
 }
 
@@ -54,15 +54,15 @@ pub enum ValueKind {
     Rows,
     /// A 6x6 matrix.
     Matrix,
-    /// A table with keys of its own.
+    /// A table with its own keys.
     Table,
     /// Several types; the meaning lists them.
     Any,
 }
 
 impl TableSchema {
-    /// A table of these keys and of those that are described beside their fields, between the first
-    /// and the last ones. It is made once and lives as long as the program.
+    /// A table of these keys with the keys that are described beside their fields between the first
+    /// and the last ones. It is made once and kept until the program ends.
     pub(super) fn described(
         name: impl Into<String>,
         first: &[KeySchema],
@@ -87,7 +87,8 @@ impl TableSchema {
         }
     }
 
-    /// The tables in a table whose keys are described beside their fields: `scour` of `[ground]`.
+    /// The tables within a table whose keys are described beside their fields: `scour` of
+    /// `[ground]`.
     fn groups(inputs: &[(&'static Input, Given)]) -> Vec<Self> {
         let mut groups: Vec<(&'static str, Vec<KeySchema>)> = Vec::new();
         for &(input, given) in inputs {
@@ -165,7 +166,7 @@ impl KeySchema {
     }
 }
 
-/// How a value at the top and at the bottom of a layer may be written.
+/// The ways to write a value at the top and at the bottom of a layer.
 const PAIR: &str = "one number or [top, bottom]";
 
 /// The number of keys of all parts.
@@ -209,8 +210,8 @@ macro_rules! keys {
     (@is_required optional) => { false };
 }
 
-/// The function that gives all tables, then the tables with their keys; `with` names keys that come
-/// before them, and `+` keys that come after them.
+/// Defines the function that gives all tables, and the tables with their keys; `with` names keys
+/// that precede them, and `+` keys that follow them.
 macro_rules! tables {
     ($(#[$all_doc:meta])+ $all:ident => $($(#[$doc:meta])+ $id:ident = $table:literal $(with $first:ident)?: $($need:ident $key:literal $kind:ident $unit:literal $meaning:literal;)* $(+ $more:ident;)*)+) => {
         $($(#[$doc])+ pub static $id: TableSchema = TableSchema {
@@ -307,7 +308,7 @@ const INERTIA_OF_BODY: &[KeySchema] = keys! {
     optional "inertia" Table "kg m2" "inertia tensor about the centre of mass";
 };
 
-/// The name of a part of which there are several.
+/// The key of the name of a part that may occur several times.
 const NAME: &[KeySchema] = keys! {
     optional "name" Text "" "";
 };
@@ -684,7 +685,7 @@ tables! {
         required "joint" Text "" "its name";
         optional "fixed" Any "" "which motions are fixed: x, y, z, rotation about x, y, z, each true or false";
         optional "stiffness" Matrix "N/m, N, N m" "x, y, z, rotation about x, y, z";
-        optional "inertia" Matrix "kg, kg m, kg m2" "of soil that moves with the joint";
+        optional "inertia" Matrix "kg, kg m, kg m2" "inertia of soil that moves with the joint";
 
     /// `[[substructure.mass]]`.
     SUBSTRUCTURE_MASS = "[[substructure.mass]]":
@@ -701,7 +702,7 @@ tables! {
     /// `[[substructure.rider]]`.
     SUBSTRUCTURE_RIDER = "[[substructure.rider]]":
         required "member" Text "" "its name";
-        required "fraction" Number "" "of the length from the first joint";
+        required "fraction" Number "" "distance from the first joint as a fraction of the member length";
         required "matrix" Matrix "kg, kg m, kg m2" "x, y, z, rotation about x, y, z";
 
     /// `[[substructure.water_plane]]`.

@@ -1,4 +1,4 @@
-//! A study in a file of its own: what studies of sweeps and of designs have in common.
+//! Reads a sweep study or a design file.
 
 use ::toml::de::DeTable;
 
@@ -10,11 +10,11 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::source::Source;
 
-/// Reads a study by `read`, after `refuse` has looked whether the file is another one. An empty
-/// file is answered with what a study needs at `least`.
+/// Reads a study by `read`, after `refuse` has checked whether the file is of another kind. For an
+/// empty file the mistake states the minimum content `least`.
 ///
 /// # Errors
-/// [`ReadError::Mistakes`] with all that were found.
+/// [`ReadError::Mistakes`] with all mistakes that were found.
 pub(super) fn read_study<S>(
     source: &Source,
     (least, schema): (&'static str, &'static TableSchema),

@@ -1,12 +1,12 @@
-//! Names of the keys of a tower file in other programs and on drawings. Those of a key that is
-//! described beside its field are there.
+//! Names of the keys of a tower file in other programs and on drawings. For a key that is described
+//! beside its field, these names are there.
 
 use towermodes::Foundation;
 
 use super::schema::tower_file_schema;
 
-/// Names and the keys that they may mean, the likeliest first, each separated by blanks. Names are
-/// in small letters and without a unit at their end. The types of a foundation are here too.
+/// Names and the keys that they may mean, the most probable first, each separated by blanks. Names
+/// are in lower case and without a unit at their end. The types of a foundation are also included.
 const SYNONYMS: [(&str, &str); 41] = [
     (
         "cg cog com cm centre centroid center_of_mass centre_of_mass center_of_gravity centre_of_gravity cg_offset position location offset",
@@ -114,7 +114,7 @@ const UNITS: [&str; 14] = [
     "_hz",
 ];
 
-/// The key of those known that a name means in other words, if any.
+/// The known key that a name means as a synonym, if any.
 pub(super) fn meant<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     let lower = name.to_lowercase().replace(['-', ' '], "_");
     let bare = UNITS.iter().find_map(|unit| lower.strip_suffix(unit));

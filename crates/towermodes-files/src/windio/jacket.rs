@@ -18,15 +18,15 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 use crate::number::Rounded;
 
-/// No jacket has more legs or bays.
+/// Largest number of legs or bays of a jacket.
 const MOST: f64 = 100.0;
-/// Feet farther than this from the seabed, m, get a note.
+/// If the feet are farther than this from the seabed, m, there is a note.
 const NEAR_M: f64 = 1.0;
-/// Relative heights of the lowest and the highest level of braces where the file has none, as in
+/// Relative heights of the lowest and the highest level of braces if the file has none, as in
 /// WISDEM.
 const BRACED: [f64; 2] = [0.1, 0.9];
 
-/// Puts a tower, whose base is at a height (m), on the jacket of its file.
+/// Adds the jacket of the file below a tower whose base is at a height (m).
 pub(super) fn stand(
     outline: &Outline,
     base_m: f64,
@@ -68,12 +68,12 @@ pub(super) fn stand(
 struct Jacket {
     legs: usize,
     foot_m: [f64; 2],
-    /// Radius and height of the head, where the tower begins, m.
+    /// Radius and height of the leg heads, where the tower begins, m.
     head_m: [f64; 2],
     leg: Tube,
     /// The braces of each bay, from below.
     braces: Vec<Tube>,
-    /// Relative heights of the levels between which the bays are.
+    /// Relative heights of the levels that separate the bays.
     levels: Vec<f64>,
     has_mud_braces: bool,
     material: Material,
@@ -121,7 +121,7 @@ impl Jacket {
         [blend(0) * cos, blend(0) * sin, blend(1)]
     }
 
-    /// The crossing of the X-brace between a leg and the next, of a bay.
+    /// The crossing of the X-brace of a bay between a leg and the next leg.
     fn crossing_m(&self, leg: usize, bay: usize) -> [f64; 3] {
         let levels = [self.levels[bay], self.levels[bay + 1]];
         let radii = levels.map(|s| self.foot_m[0] + s * (self.head_m[0] - self.foot_m[0]));
@@ -200,7 +200,7 @@ impl Jacket {
     }
 }
 
-/// A missing dimension: what helps.
+/// Adds a suggestion to the mistake of a missing dimension.
 fn hint(diagnostic: Diagnostic) -> Diagnostic {
     diagnostic.with_hint(
         "a jacket has n_legs, n_bays, r_foot, r_head, height, leg_diameter, leg_thickness, and brace_diameters and brace_thicknesses with a value for each bay; --clamped solves the tower alone",
@@ -244,7 +244,7 @@ fn tube(outer: f64, wall: f64, node: &Node, what: &str) -> Result<Tube, Diagnost
     })
 }
 
-/// A list of so many positive lengths, m.
+/// A list of this many positive lengths, m.
 fn lengths(node: &Node, what: &str, bays: usize) -> Result<Vec<f64>, Diagnostic> {
     let list = node.list(what)?;
     if list.len() != bays {
@@ -316,7 +316,7 @@ fn material(
     }
 }
 
-/// What is known of seabed and water.
+/// Notes on the known data of seabed and water.
 fn note_place(
     outline: &Outline,
     jacket: &Jacket,

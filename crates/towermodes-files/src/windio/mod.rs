@@ -37,7 +37,7 @@ pub(crate) fn is_windio(text: &str, name: &str) -> bool {
 /// Reads the tower of a turbine, on its monopile if there is one, from a file in windIO 1 or 2.
 ///
 /// A monopile of tubes stands in the elastic soil of the file below the mudline. Without such soil
-/// the base is clamped: at the mudline if the file gives the water depth, or else at the lowest
+/// the base is clamped: at the mudline if the file gives the water depth, otherwise at the lowest
 /// height. The rotor-nacelle assembly is combined from the bodies in the file; notes list the
 /// missing ones.
 ///
@@ -74,7 +74,7 @@ struct Described {
     joint_m: Option<f64>,
     /// The number of the rotor's blades.
     blades: Option<usize>,
-    /// Why there is no turning turbine; none if there is no rotor.
+    /// Why there is no turbine with rotating rotor; none if there is no rotor.
     turbine_missing: Option<Note>,
 }
 
@@ -158,7 +158,7 @@ fn gravity(outline: &Outline, reading: &mut Reading<'_>) -> Result<f64, Diagnost
     }
 }
 
-/// Puts a tower on the floating platform of its file.
+/// Adds the floating platform of the file below a tower.
 fn afloat(
     outline: &Outline,
     version: Version,
@@ -190,8 +190,8 @@ fn afloat(
 /// The rotor-nacelle assembly and its parts without mass.
 type Assembly = (Rna, Vec<MissingPart>);
 
-/// The rotor-nacelle assembly, its parts without mass and the rotor, which a monopile alone does
-/// not have.
+/// The rotor-nacelle assembly, its parts without mass and the rotor; a single monopile has none of
+/// these.
 fn top(
     outline: &Outline,
     version: Version,
@@ -220,7 +220,7 @@ fn outline(reading: &Reading<'_>) -> Result<Outline, Diagnostic> {
     Outline::of(text::yaml::parse(&without_airfoils(text))?)
 }
 
-/// The parts under the tower that are left out, with notes.
+/// The parts under the tower that are omitted, with notes.
 fn missing_parts(outline: &Outline, is_whole: bool, reading: &mut Reading<'_>) -> Vec<MissingPart> {
     let Some(components) = &outline.components else {
         return Vec::new();

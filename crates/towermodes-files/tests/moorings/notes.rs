@@ -93,7 +93,7 @@ fn sections_that_float_have_a_note_and_lines_that_float_a_warning() {
         &format!("{float}---------------------- POINTS"),
     );
     let (notes, found) = warnings(&both);
-    let note = "7: these line types are lighter than the water that they displace, and hold up the lines of the others: `float`";
+    let note = "7: these line types are lighter than the water that they displace, so they lift the lines of the other types: `float`";
     assert!(notes.contains(note), "{notes}");
     assert!(!found.contains("floats"), "{found}");
     let (notes, found) = warnings(&changed(MOORDYN_2, "main     0.09 ", "main     0.60 "));

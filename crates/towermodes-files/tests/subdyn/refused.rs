@@ -25,7 +25,7 @@ fn wrong_rows_are_refused_with_their_place() {
         r#"
         # References between tables.
         NMembers | 1 1 2 1 1 1c 0\n2 2 7 1 1 1c 0 | 2:5 | there is no joint `7` (the table has 3 rows, with numbers from 1 to 3)
-        NMembers | 1 1 2 1 1 1c 0\n2 2 3 1 5 1c 0 | 2:9 | there is no circular section `5` (the table has only number 1)
+        NMembers | 1 1 2 1 1 1c 0\n2 2 3 1 5 1c 0 | 2:9 | there is no circular section `5` (the only number in the table is 1)
         NMembers | 1 1 2 1 1 1c 0\n2 2 3 1 1 1r 0 | 2:7 | there is no rectangular section `1` (its table has no rows)
         NReact   | 9 1 1 1 1 1 1 | 1:1 | there is no joint `9`
         NInterf  | 9 1 1 1 1 1 1 | 1:1 | there is no joint `9`

@@ -18,10 +18,10 @@ const MOST_HEIGHTS: usize = 60;
 pub struct AnimationData {
     /// Heights from the base to the top in the datum of the stations, m; at most 60.
     pub height_m: Vec<f64>,
-    /// Outer radius there, m; of a table of properties that of the steel tube of the same bending
-    /// stiffness with a wall of 1/200 of its diameter.
+    /// Outer radius at these heights, m; for a table of properties the radius of the steel tube of
+    /// the same bending stiffness with a wall of 1/200 of its diameter.
     pub radius_m: Vec<f64>,
-    /// Whether the radius is such a nominal one.
+    /// Whether the radius is this nominal radius.
     pub is_nominal: bool,
     /// RNA, foundation and surroundings.
     pub bodies: Vec<Body>,
@@ -46,7 +46,7 @@ pub struct AnimatedFrame {
 pub struct AnimatedMember {
     /// Its joints, from 0.
     pub joints: [usize; 2],
-    /// Outer radius at both, m; 0 where it has no section.
+    /// Outer radius at both joints, m; 0 if the member has no section.
     pub radius_m: [f64; 2],
 }
 
@@ -56,7 +56,7 @@ pub struct AnimatedMember {
 /// other modes are per metre.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AnimatedMode {
-    /// Place in the list of modes, from 1.
+    /// Number in the list of modes, from 1.
     pub number: usize,
     /// Its name: "1st fore-aft bending".
     pub label: String,
@@ -66,9 +66,9 @@ pub struct AnimatedMode {
     pub frequency_hz: f64,
     /// Translation fore-aft at each height.
     pub x: Vec<f64>,
-    /// Translation side-side.
+    /// Translation side-side at each height.
     pub y: Vec<f64>,
-    /// Translation upwards.
+    /// Translation upwards at each height.
     pub z: Vec<f64>,
     /// Rotation about x.
     pub rotation_x: Vec<f64>,
@@ -120,8 +120,8 @@ fn frame_of(substructure: Substructure<'_>) -> AnimatedFrame {
     }
 }
 
-/// The translations of joints and of points of members. A ten-thousandth of the largest is less
-/// than a pixel.
+/// The translations of joints and of points of members, rounded to a ten-thousandth of the largest,
+/// which is less than a pixel.
 fn frame_motion(mode: &Mode) -> Vec<f64> {
     let Some(shape) = &mode.frame else {
         return Vec::new();
@@ -158,7 +158,7 @@ fn animated(mode: &Mode) -> AnimatedMode {
     }
 }
 
-/// At most [`MOST_HEIGHTS`] of the points, the first and the last among them.
+/// At most [`MOST_HEIGHTS`] of the points, including the first and the last.
 fn few(points: &[ShapePoint]) -> impl Iterator<Item = &ShapePoint> {
     let intervals = points.len().saturating_sub(1);
     let step = intervals.div_ceil(MOST_HEIGHTS - 1).max(1);

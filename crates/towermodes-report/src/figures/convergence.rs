@@ -8,7 +8,7 @@ use super::error::hidden_text;
 use crate::svg::{DataTable, Figure, Numbers, extent};
 
 const HEIGHT: f64 = 520.0;
-/// More modes cannot be distinguished.
+/// Largest number of modes, because more cannot be distinguished.
 const MODES: usize = 14;
 
 /// The relative errors of the modes against the number of segments on logarithmic axes; for the
@@ -29,14 +29,14 @@ pub fn convergence(convergence: &Convergence) -> Figure {
     }
 }
 
-/// Whether the degree is refined, not the mesh.
+/// Whether the degree is refined instead of the mesh.
 pub(crate) fn is_spectral(convergence: &Convergence) -> bool {
     let first = convergence.levels.first();
     matches!(first.map(|level| level.asked), Some(Fineness::Degree(_)))
 }
 
-/// The numbers (of segments, or the degree) and errors of a mode, by rising number; of the levels
-/// with rounding errors only, the first.
+/// The numbers (of segments, or the degree) and errors of a mode, by increasing number; of the
+/// levels with only rounding errors, the first.
 pub(crate) fn errors(
     convergence: &Convergence,
     mode: usize,
@@ -81,7 +81,7 @@ fn chart(convergence: &Convergence) -> Chart {
     }
 }
 
-/// From the smallest to the largest number, with room for the markers.
+/// The axis from the smallest to the largest number, with room for the markers.
 fn x_axis(convergence: &Convergence) -> Axis {
     let mut numbers: Vec<usize> = convergence
         .levels

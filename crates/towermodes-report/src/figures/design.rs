@@ -1,4 +1,5 @@
-//! A tower before and after its design: diameters and walls over the height, frequencies in bands.
+//! A tower before and after its design: diameters and wall thicknesses over the height, frequencies
+//! with their bands.
 
 use towermodes::number::digits;
 use towermodes::{Station, TowerDescription};
@@ -12,16 +13,16 @@ use crate::svg::{
 use crate::wording::structure_mass;
 
 const TOP: f64 = 14.0;
-/// Height of the fields of diameters and walls.
+/// Height of the fields of diameters and wall thicknesses.
 const FIELD: f64 = 380.0;
-/// Below a field: numbers and name of its axis.
+/// Room below a field for the numbers and the name of its axis.
 const BELOW: f64 = 52.0;
 /// Height of the row of a mode.
 const ROW: f64 = 30.0;
-/// Height of the field of frequencies alone.
+/// Height of the field of frequencies if it is the only one.
 const LOWEST: f64 = 300.0;
 const SIZE: f64 = 12.0;
-/// Numbers along an axis.
+/// Approximate number of numbers along an axis.
 const TICKS: usize = 6;
 
 /// A frequency with its goal.
@@ -37,8 +38,8 @@ pub struct DesignedMode<'a> {
     pub after_hz: f64,
 }
 
-/// A tower before and after its design, with its mass and its frequencies; diameters and walls
-/// only for a tower of stations.
+/// A tower before and after its design, with its mass and its frequencies; diameters and wall
+/// thicknesses only for a tower of stations.
 pub fn design(
     [before, after]: [&TowerDescription; 2],
     mass_kg: [f64; 2],
@@ -66,7 +67,9 @@ pub fn design(
     Figure {
         name: "design".to_owned(),
         title: format!("Design: {} t before, {} t after", mass[0], mass[1]),
-        description: format!("{profile}The frequencies in their bands.{goals}"),
+        description: format!(
+            "{profile}Frequencies before and after, with their target bands.{goals}"
+        ),
         drawing: drawing([before, after], has_stations, modes),
         table: table((structure_mass(after.foundation.frame()), mass_kg), modes),
     }
@@ -96,7 +99,7 @@ fn drawing(
     drawing
 }
 
-/// Diameters on the left, walls on the right, over the same heights.
+/// Draws diameters on the left and wall thicknesses on the right, over the same heights.
 fn draw_profiles(drawing: &mut Drawing, towers: [&TowerDescription; 2]) {
     let of = |value: fn(&Station) -> f64| {
         towers.map(|tower| -> Vec<(f64, f64)> {
@@ -154,7 +157,8 @@ fn frequencies_frame(modes: &[DesignedMode<'_>], top: f64, lowest: f64) -> Frame
     }
 }
 
-/// A row for each mode: its band as a surface, a ring before and a disc after.
+/// Draws a row for each mode: its band as an area, a ring for the frequency before and a disc for
+/// that after.
 fn draw_frequencies(drawing: &mut Drawing, frame: Frame, modes: &[DesignedMode<'_>]) {
     let ends = modes.iter().flat_map(|mode| mode.band_hz);
     let ends = ends.filter(|hz| *hz > 0.0 && hz.is_finite());

@@ -14,14 +14,14 @@ use crate::wording::counted;
 /// Height of the field.
 const FIELD: f64 = 360.0;
 const TOP: f64 = 18.0;
-/// From the field to the names of the modes.
+/// Distance from the field to the names of the modes.
 const SPACE: f64 = 10.0;
 const SIZE: f64 = 11.0;
-/// More modes have no room for their names.
+/// Largest number of modes; there is no room for more names.
 const MODES: usize = 40;
-/// More methods cannot be distinguished.
+/// Largest number of methods, because more cannot be distinguished.
 const METHODS: usize = 12;
-/// Neighbouring dots of a mode are so far apart where there is room.
+/// Distance of neighbouring dots of a mode, if there is room.
 const APART: f64 = 9.0;
 
 /// The relative frequency differences of the methods from the reference solution, a group of dots
@@ -37,7 +37,7 @@ pub fn error(comparison: &Comparison) -> Figure {
     }
 }
 
-/// The columns that are drawn. The reference solution is drawn only if it is alone.
+/// The columns that are drawn. The reference solution is drawn only if there is no other column.
 fn drawn(comparison: &Comparison) -> Vec<&Column> {
     let others = comparison
         .columns
@@ -51,7 +51,7 @@ fn drawn(comparison: &Comparison) -> Vec<&Column> {
     }
 }
 
-/// The relative difference of a column from the reference in a mode, if it has the mode.
+/// The relative difference of a column from the reference for a mode, if the column has this mode.
 fn difference(column: &Column, mode: usize) -> Option<f64> {
     let difference = column.relative_differences[mode]?;
     difference.is_finite().then_some(difference)
@@ -73,7 +73,7 @@ fn modes(comparison: &Comparison) -> std::ops::Range<usize> {
     0..comparison.modes.len().min(MODES)
 }
 
-/// How many modes are not drawn.
+/// Number of modes that are not drawn.
 fn hidden(comparison: &Comparison) -> usize {
     comparison.modes.len() - modes(comparison).len()
 }
@@ -153,7 +153,7 @@ fn entry((index, column): (usize, &&Column)) -> Entry {
     (marker(index).into(), name(column))
 }
 
-/// The middle of a mode's room.
+/// The middle of the room for a mode.
 fn middle(mode: usize) -> f64 {
     mode as f64 + 0.5
 }
@@ -173,7 +173,8 @@ fn names_height(labels: &[&str], axes: &Axes) -> f64 {
     }
 }
 
-/// The names of the modes below the field, turned where they are too long, and a line up from each.
+/// Writes the names of the modes below the field, rotated if they are too long, and draws a line
+/// upwards from each.
 fn names(drawing: &mut Drawing, labels: &[&str], axes: &Axes) {
     let frame = axes.frame;
     let (style, dx, dy) = match are_turned(labels, axes) {
@@ -194,7 +195,7 @@ fn names(drawing: &mut Drawing, labels: &[&str], axes: &Axes) {
     drawing.line(from, to, &Stroke::new(Colour::Muted, 1.0));
 }
 
-/// The dots of each mode side by side, in the order of the legend.
+/// Draws the dots of each mode side by side, in the order of the legend.
 fn dots(
     drawing: &mut Drawing,
     comparison: &Comparison,

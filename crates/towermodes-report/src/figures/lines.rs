@@ -1,10 +1,10 @@
-//! Mooring lines as they hang at rest, in the datum of the tower.
+//! The shapes of mooring lines at rest, in the datum of the tower.
 
 use towermodes::FloatingPlatform;
 use towermodes::mooring::{Attachment, Carrier, MooringDescription, MooringState, Pose};
 use towermodes::tower::MooringLines;
 
-/// Places along each hanging part of a line.
+/// Number of points along each suspended part of a line.
 const ALONG: usize = 12;
 
 /// Lines at rest.
@@ -21,11 +21,11 @@ pub(crate) struct LinesAtRest<'a> {
 
 /// A line at rest.
 pub(crate) struct LineAtRest {
-    /// Its places, m; from the platform where it begins there.
+    /// Its points, m; beginning at the platform if one end is there.
     pub places_m: Vec<[f64; 3]>,
-    /// Whether its first place moves with the platform.
+    /// Whether its first point moves with the platform.
     pub is_on_platform: bool,
-    /// Whether its last place is an anchor.
+    /// Whether its last point is an anchor.
     pub is_anchored: bool,
 }
 

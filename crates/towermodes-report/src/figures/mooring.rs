@@ -12,18 +12,18 @@ use crate::svg::{Axes, Colour, Dash, DataTable, Drawing, Figure, Frame, Stroke, 
 use crate::wording::counted;
 
 const WIDTH: f64 = 900.0;
-/// The field from the side reaches so high above the water, as a fraction of the depth.
+/// The field of the side view extends this far above the water, as a fraction of the depth.
 const ABOVE: f64 = 0.12;
-/// Below the seabed, as a fraction of the depth.
+/// The field of the side view extends this far below the seabed, as a fraction of the depth.
 const BELOW: f64 = 0.1;
-/// Beside the anchors, as a fraction of the largest distance.
+/// The fields extend this far beyond the anchors, as a fraction of the largest distance.
 const BESIDE: f64 = 0.06;
-/// Left edge and width of both fields, room above and below each.
+/// Left edge and width of both fields, room above and below each field.
 const LEFT: f64 = 70.0;
 const FIELD: f64 = 806.0;
 const HEADING: f64 = 30.0;
 const FOOT: f64 = 42.0;
-/// The heights of the fields.
+/// The smallest and the largest height of a field.
 const SIDE: [f64; 2] = [110.0, 420.0];
 const PLAN: [f64; 2] = [200.0, 620.0];
 /// Half the size of an anchor.
@@ -76,13 +76,14 @@ pub fn mooring(description: &TowerDescription, tower: &Tower) -> Option<Figure> 
     })
 }
 
-/// A range with room beside it.
+/// A range extended on both sides.
 fn wider([low, high]: [f64; 2]) -> [f64; 2] {
     let beside = (BESIDE * (high - low)).max(1.0);
     [low - beside, high + beside]
 }
 
-/// Axes for two ranges at the same scale, below a place; the height of the field is in a range.
+/// Axes for two ranges at the same scale, with the upper edge at `top`; the height of the field is
+/// limited to a range.
 fn field(top: f64, (across, up): ([f64; 2], [f64; 2]), [least, most]: [f64; 2]) -> Axes {
     let size = |range: [f64; 2]| range[1] - range[0];
     let per_m = (FIELD / size(across)).min(most / size(up));
@@ -150,7 +151,7 @@ fn draw_plan(drawing: &mut Drawing, axes: &Axes, of: &LinesAtRest<'_>, hull: &[[
     axes.draw_y(drawing, "y, side-side (m)", 6);
 }
 
-/// Lines, anchors, and the platform over x and another coordinate.
+/// Draws lines, anchors and the platform over x and another coordinate.
 fn draw_things(
     drawing: &mut Drawing,
     axes: &Axes,

@@ -3,7 +3,7 @@
 use towermodes::tower::{Piece, Profile};
 use towermodes::{Properties, Tower};
 
-/// D/t of the steel tube that is drawn for a row of a property table.
+/// D/t of the nominal steel tube that is drawn for a row of a property table.
 pub(super) const NOMINAL_SLENDERNESS: f64 = 200.0;
 /// Young's modulus of that tube, Pa.
 const NOMINAL_MODULUS_PA: f64 = 2.1e11;
@@ -17,12 +17,12 @@ pub(super) struct Shell {
     pub top_m: f64,
     /// Outer diameter at the lower and the upper end, m.
     pub outer_m: [f64; 2],
-    /// Wall thickness there, m; none for a property table.
+    /// Wall thickness at both ends, m; none for a property table.
     pub wall_m: Option<[f64; 2]>,
 }
 
 impl Shell {
-    /// The outer diameter at a height in it, m.
+    /// The outer diameter at a height within it, m.
     pub fn outer_at_m(&self, height_m: f64) -> f64 {
         let share = ((height_m - self.base_m) / (self.top_m - self.base_m)).clamp(0.0, 1.0);
         self.outer_m[0] + share * (self.outer_m[1] - self.outer_m[0])
@@ -34,8 +34,8 @@ pub(super) fn shells(tower: &Tower) -> Vec<Shell> {
     tower.pieces().iter().map(shell).collect()
 }
 
-/// The outer diameter of a tower at a height, m: at a step that of the lower part, for a property
-/// table the nominal one.
+/// The outer diameter of a tower at a height, m: at a step that of the part below, for a property
+/// table the nominal diameter.
 pub(super) fn outer_diameter_m(tower: &Tower, height_m: f64) -> f64 {
     shell(tower.piece_at(height_m)).outer_at_m(height_m)
 }
@@ -46,7 +46,7 @@ pub(super) fn is_nominal(tower: &Tower) -> bool {
 }
 
 /// The diameter, m, of the steel tube (E = 2.1·10¹¹ Pa) with the same EI and t = D/200. A thin tube
-/// has EI = E π/8 D³ t; of two planes the geometric mean of EI counts.
+/// has EI = E π/8 D³ t; if the planes differ, the geometric mean of EI is used.
 pub(super) fn nominal_diameter_m(properties: &Properties) -> f64 {
     let bending = properties.bending_n_m2;
     let stiffness = bending.fore_aft.sqrt() * bending.side_side.sqrt();

@@ -1,5 +1,5 @@
-//! The parts of a tower that are drawn. The flat picture and the scene in space are two projections
-//! of them.
+//! The parts of a tower that are drawn. The drawing and the scene in space are two projections of
+//! them.
 
 use towermodes::space::SpatialMatrix;
 use towermodes::{
@@ -11,8 +11,8 @@ use super::outline::outer_diameter_m;
 use super::scour::{Hole, Surface};
 use super::substructure::Substructure;
 
-/// A platform whose centre is deeper below the base than this many heights of the tower is not
-/// drawn whole.
+/// A platform whose centre is deeper below the base than this multiple of the tower height is not
+/// drawn completely.
 const DEEPEST: f64 = 4.0;
 
 /// A tower with its RNA, its foundation and its surroundings.
@@ -20,7 +20,7 @@ const DEEPEST: f64 = 4.0;
 pub(super) struct Parts<'a> {
     /// The given description.
     pub description: &'a TowerDescription,
-    /// The tower of it.
+    /// The tower made from the description.
     pub tower: &'a Tower,
     /// The surface of its soil, if that is given in layers.
     pub surface: Option<Surface>,
@@ -63,7 +63,7 @@ impl<'a> Parts<'a> {
         Some(self.tower.rna()).filter(|rna| !rna.is_absent())
     }
 
-    /// The point masses, each with the cube root of its share of the heaviest.
+    /// The point masses, each with the cube root of its ratio to the heaviest.
     pub fn masses(&self) -> impl Iterator<Item = (&'a PointMass, f64)> {
         let masses = &self.description.point_masses;
         let heaviest_kg = masses.iter().map(|mass| mass.mass_kg).fold(0.0, f64::max);
@@ -73,8 +73,8 @@ impl<'a> Parts<'a> {
         })
     }
 
-    /// The springs below the base, unless they hold it or there are none: of two planes of a matrix
-    /// the stiffer one, and the terms on its diagonal alone.
+    /// The springs below the base, unless the base is fixed or there are none: of two planes of a
+    /// matrix the stiffer one, and only the terms on the diagonal.
     pub fn springs(&self) -> Option<FoundationSprings> {
         let springs = match self.description.foundation.support() {
             Support::Springs(springs) => *springs,
@@ -107,7 +107,7 @@ impl<'a> Parts<'a> {
         Some(Substructure { of })
     }
 
-    /// The lowest height of what stands, m: of the tower or the frame under it.
+    /// The lowest height of the bottom-fixed structure, m: of the tower or of the frame under it.
     pub fn foot_m(&self) -> f64 {
         let base_m = self.tower.base_m();
         let low_m = self.substructure().map(|frame| frame.heights_m()[0]);
@@ -139,8 +139,8 @@ impl<'a> Parts<'a> {
         around_m.or_else(|| self.platform()?.surface_m())
     }
 
-    /// The height that wires are drawn to, m: the ground, or the base where that is above one of
-    /// them or there is none.
+    /// The height at which wires end in the drawing, m: the ground, or the base if that is above a
+    /// wire's lower end or if there is no ground.
     pub fn wires_ground_m(&self) -> f64 {
         let heights_m = self.description.wires.iter().map(|wires| wires.height_m);
         let lowest_m = heights_m.fold(f64::INFINITY, f64::min);
@@ -180,7 +180,7 @@ pub(super) struct Platform<'a> {
 }
 
 impl Platform<'_> {
-    /// The lowest height as it is drawn, m.
+    /// The lowest height of the drawn platform, m.
     pub fn keel_m(&self) -> f64 {
         let (base_m, height_m) = (self.tower.base_m(), self.tower.height_m());
         let below = |depth_m: f64| depth_m.clamp(0.1 * height_m, DEEPEST * height_m);
@@ -204,8 +204,8 @@ impl Platform<'_> {
     }
 }
 
-/// Nacelle, hub and the roots of blades from the side, in any unit of length: x from the tower's
-/// axis, heights from its top.
+/// Nacelle, hub and blade roots from the side, in any unit of length: x from the tower axis,
+/// heights from the tower top.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RnaForm {
     /// Upwind end of the nacelle.
@@ -223,11 +223,11 @@ pub(super) struct RnaForm {
 }
 
 impl RnaForm {
-    /// How many times the radius of the tower's top the unit is that lengths go by.
+    /// The unit of length of the form, in radii of the tower top.
     pub const UNITS: f64 = 1.4;
 
-    /// The form by its unit; a centre of mass that lies so far above the top is at half the
-    /// nacelle's height, if that is neither flat nor higher than `most`.
+    /// The form for a unit of length. The nacelle is twice as high as the centre of mass is above
+    /// the top, but at least 1.3 units and at most `most`.
     pub fn new(unit: f64, center_above: f64, most: f64) -> Self {
         let front = -1.7 * unit;
         let height = (2.0 * center_above).clamp(1.3 * unit, most.max(1.3 * unit));

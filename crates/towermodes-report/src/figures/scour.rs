@@ -3,7 +3,7 @@
 
 use towermodes::{Tower, TowerDescription};
 
-/// Horizontal over vertical of the side of a scour hole: the angle of repose of sand, 30°.
+/// Ratio of horizontal to vertical of the side of a scour hole: the angle of repose of sand, 30°.
 const SLOPE: f64 = 1.732;
 
 /// The surface of soil in layers.
@@ -28,7 +28,7 @@ impl Surface {
         })
     }
 
-    /// The hole beside the tower; none without local scour, and of a tower that does not reach into
+    /// The hole around the tower; none without local scour, and if the tower does not extend into
     /// the soil.
     pub fn hole(&self, tower: &Tower) -> Option<Hole> {
         let is_deep = self.bottom_m < self.general_m && tower.base_m() < self.bottom_m;
@@ -38,8 +38,8 @@ impl Surface {
         })
     }
 
-    /// The heights to be labelled, if there is scour: each with its name, of which `bed` is the
-    /// first word.
+    /// The heights to be labelled if there is scour: each with its name, which begins with `bed`
+    /// for the first.
     pub fn labelled(&self, tower: &Tower, bed: &str) -> Vec<(f64, String)> {
         let has_general = self.general_m < self.original_m;
         let mut all = Vec::new();
@@ -67,7 +67,7 @@ pub(super) struct Hole {
 }
 
 impl Hole {
-    /// How far its side at a height is from the pile, m.
+    /// The distance of the side of the hole from the pile at a height.
     pub fn beside_m(&self, height_m: f64) -> f64 {
         SLOPE * (height_m - self.bottom_m).max(0.0)
     }

@@ -11,10 +11,10 @@ use crate::svg::{Colour, Figure, Numbers, extent};
 const HEIGHT: f64 = 420.0;
 /// Room above the highest and below the lowest frequency, as a fraction of their difference.
 const ROOM: f64 = 0.25;
-/// The axis covers at least this fraction of the frequency, so that a line looks flat if it is.
+/// The axis covers at least this fraction of the frequency, so that a nearly constant frequency
+/// looks constant.
 const LEAST_RANGE: f64 = 0.02;
-/// The axis is extended to a forbidden range that is not farther away than this fraction of the
-/// frequency.
+/// The axis is extended to an excluded range that is at most this fraction of the frequency away.
 const NEAR: f64 = 0.3;
 
 /// The rotor whose excitations are drawn, and the required distance from them (a fraction).
@@ -86,7 +86,7 @@ fn figure([name, title]: [&str; 2], chart: &Chart) -> Figure {
     }
 }
 
-/// The first bending modes, with the frequencies that 1P and the blade passing frequency forbid.
+/// The first bending modes, with the frequencies that 1P and the blade passing frequency exclude.
 fn chart(x: Axis, values: &[f64], modes: &[BandMode], rotor: Excitations<'_>) -> Chart {
     let bends = |mode: &&BandMode| {
         let families = [Family::ForeAft, Family::SideSide];
@@ -121,7 +121,7 @@ fn chart(x: Axis, values: &[f64], modes: &[BandMode], rotor: Excitations<'_>) ->
 }
 
 /// The natural frequencies that are closer to a multiple of the rotor speed in operation than the
-/// margin; the ends of the multiple itself are marked.
+/// margin; the ends of the excitation itself are marked.
 fn forbidden(rotor: &Rotor, margin: f64, multiple: usize) -> Band {
     let operation_hz =
         [rotor.lowest_rpm, rotor.highest_rpm].map(|rpm| multiple as f64 * rpm / 60.0);
@@ -141,7 +141,7 @@ fn forbidden(rotor: &Rotor, margin: f64, multiple: usize) -> Band {
     }
 }
 
-/// The frequencies, and the edges of forbidden ranges near them.
+/// The frequencies, and the borders of excluded ranges near them.
 fn range_hz(series: &[Series], bands: &[Band]) -> [f64; 2] {
     let points = series.iter().flat_map(Series::finite);
     let [low, high] = extent(points.map(|[_, hz]| hz)).unwrap_or([0.0; 2]);

@@ -9,7 +9,7 @@ use crate::number::{four_digits, length, short};
 use crate::svg::{Colour, DataTable, Drawing, Figure, Frame, Stroke, TextStyle, broken};
 use crate::wording::counted;
 
-/// Width of the sheet, columns of panels, and height of a row.
+/// Width of the sheet, number of columns of panels, and height of a row.
 const WIDTH: f64 = 900.0;
 const COLUMNS: usize = 4;
 const ROW: f64 = 340.0;
@@ -17,19 +17,19 @@ const ROW: f64 = 340.0;
 const HEADING: f64 = 58.0;
 const FOOT: f64 = 24.0;
 const GAP: f64 = 12.0;
-/// More modes are not drawn.
+/// Largest number of drawn modes.
 const MOST: usize = 12;
 /// The largest deflection as a fraction of the height of the structure.
 const REACH: f64 = 0.07;
-/// The eye: degrees about the tower from the upwind side, and above the horizon.
+/// View direction: degrees about the tower axis from the upwind side, and above the horizon.
 const AZIMUTH_DEG: f64 = 35.0;
 const ELEVATION_DEG: f64 = 14.0;
-/// Points along a member.
+/// Number of points along a member.
 const ALONG: usize = 8;
 
 type Point = [f64; 3];
 
-/// A structure with its motion in a mode; without one at rest.
+/// A structure with its motion in a mode; at rest without a mode.
 struct Deflected<'a> {
     parts: Parts<'a>,
     mode: Option<(&'a Mode, f64)>,
@@ -115,8 +115,8 @@ impl Deflected<'_> {
     }
 }
 
-/// A vector rotated by a rotation vector, rad: a body stays rigid however much its motion is
-/// enlarged (Rodrigues' formula).
+/// A vector rotated by a rotation vector, rad: a body stays rigid for any enlargement of its motion
+/// (Rodrigues' formula).
 fn turned([x, y, z]: Point, [a, b, c]: Point) -> Point {
     let angle = (a * a + b * b + c * c).sqrt();
     let sinc = if angle > 0.0 {
@@ -136,18 +136,18 @@ fn turned([x, y, z]: Point, [a, b, c]: Point) -> Point {
     std::array::from_fn(|i| [x, y, z][i] + sinc * once[i] + versed * twice[i])
 }
 
-/// Where points are on a panel.
+/// The positions of points on a panel.
 struct Projection {
     right: Point,
     up: Point,
     per_m: f64,
-    /// Coordinates of the middle of the panel, and its place on the sheet.
+    /// Coordinates of the middle of the panel, and its position on the sheet.
     middle: (f64, f64),
     at: (f64, f64),
 }
 
 impl Projection {
-    /// A projection that has room for points on a panel of a size.
+    /// A projection by which points fit a panel of this size.
     fn new(points: &[Point], (width, height): (f64, f64)) -> Self {
         let (s, c) = (AZIMUTH_DEG + 180.0).to_radians().sin_cos();
         let (se, ce) = ELEVATION_DEG.to_radians().sin_cos();
@@ -271,7 +271,8 @@ fn panel(index: usize) -> Frame {
     }
 }
 
-/// The largest translation of the tower is drawn to the right or upwards.
+/// The sign for which the largest translation of the tower points to the right or upwards in the
+/// picture.
 fn sign(mode: &Mode) -> f64 {
     let top = mode
         .shape
@@ -286,7 +287,7 @@ fn sign(mode: &Mode) -> f64 {
     if largest < 0.0 { -1.0 } else { 1.0 }
 }
 
-/// The largest translation of a hull in a mode, on the scale of its shape.
+/// The largest translation of a hull in a mode, in the scale of the mode shape.
 fn largest_of_hull(parts: Parts<'_>, mode: &Mode, hull: &[Point]) -> f64 {
     let mode = Some((mode, 1.0));
     let moved = Deflected { parts, mode }.on_base(hull);
@@ -302,7 +303,7 @@ fn lowest_m(parts: &Parts<'_>, hull: &[Point]) -> f64 {
     keel_m.fold(parts.foot_m(), f64::min)
 }
 
-/// The points that a panel has room for: everything at rest, with the largest deflection around it.
+/// The points that must fit a panel: the structure at rest, with the largest deflection around it.
 fn room(parts: &Parts<'_>, hull: &[Point], reach_m: f64) -> Vec<Point> {
     let at_rest = Deflected {
         parts: *parts,
@@ -327,7 +328,7 @@ fn room(parts: &Parts<'_>, hull: &[Point], reach_m: f64) -> Vec<Point> {
         .collect()
 }
 
-/// Lines where the axis of the tower meets water and ground.
+/// Draws lines where the axis of the tower intersects the water surface and the ground.
 fn draw_levels(drawing: &mut Drawing, projection: &Projection, parts: &Parts<'_>, frame: Frame) {
     let levels = [
         (parts.water_m(), Colour::Series(0)),
@@ -367,7 +368,7 @@ fn draw(drawing: &mut Drawing, projection: &Projection, of: &Deflected<'_>, hull
     }
 }
 
-/// The smallest convex polygon around places (Andrew's monotone chain).
+/// The smallest convex polygon around points (Andrew's monotone chain).
 pub(super) fn outline(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let half = |places: &mut dyn Iterator<Item = &(f64, f64)>| {
@@ -417,7 +418,7 @@ fn words(parts: &Parts<'_>, modes: &[&Mode]) -> String {
     )
 }
 
-/// Where each mode moves most.
+/// The position of the largest motion in each mode.
 fn table(parts: &Parts<'_>, modes: &[&Mode]) -> DataTable {
     let header = ["mode", "frequency (Hz)", "largest motion", "x", "y", "z"];
     let row = |mode: &&Mode| {
@@ -430,7 +431,7 @@ fn table(parts: &Parts<'_>, modes: &[&Mode]) -> DataTable {
     DataTable::new(header, modes.iter().map(row))
 }
 
-/// The place that moves most, and its translation.
+/// The position of the largest motion, and its translation.
 fn largest(parts: &Parts<'_>, mode: &Mode) -> (String, Point) {
     let size = |u: &Point| u.iter().map(|x| x * x).sum::<f64>();
     let mut most = (String::new(), [0.0; 3]);

@@ -9,10 +9,10 @@ use towermodes::frame::{
 
 use super::outline::NOMINAL_SLENDERNESS;
 
-/// Places of the sampled points of a member, as fractions of its length.
+/// Positions of the sampled points of a member, as fractions of its length.
 const SAMPLED: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// Heights of water are multiples of this, m.
+/// Water levels are rounded to multiples of this, m.
 const LEVEL_M: f64 = 1e-6;
 
 /// A frame under a tower.
@@ -57,7 +57,7 @@ impl<'a> Substructure<'a> {
         reach.fold(0.0, f64::max)
     }
 
-    /// The height of the water surface, m: up to there water moves with members.
+    /// The height of the water surface, m: the highest point at which members have water.
     pub fn water_m(&self) -> Option<f64> {
         let of_member = |member: &'a FrameMember| {
             let [from, to] = self.ends_m(member);
@@ -75,8 +75,8 @@ impl<'a> Substructure<'a> {
         Some((level_m / LEVEL_M).round() * LEVEL_M)
     }
 
-    /// The height of the mudline, m: that of the highest support on the ground, which has joints
-    /// below it where it is a pile.
+    /// The height of the mudline, m: that of the highest support on the ground; a pile has joints
+    /// below it.
     pub fn ground_m(&self) -> Option<f64> {
         let description = self.description();
         let supports = description.supports.iter();
@@ -85,9 +85,9 @@ impl<'a> Substructure<'a> {
     }
 }
 
-/// The outer radii of a member at its ends, m; none where it has no section: a cable, a rigid link
-/// or a spring. A rectangle has half its larger side, given properties the radius of the tube with
-/// the same second moment of area and a wall of 1/200 of its diameter.
+/// The outer radii of a member at its ends, m; none if it has no section: a cable, a rigid link or
+/// a spring. For a rectangle half of its larger side, for given properties the radius of the tube
+/// with the same second moment of area and a wall of 1/200 of its diameter.
 pub(super) fn radii_m(member: &FrameMember) -> Option<[f64; 2]> {
     let MemberKind::Beam { ends, .. } = &member.kind else {
         return None;
@@ -103,7 +103,7 @@ pub(super) fn radii_m(member: &FrameMember) -> Option<[f64; 2]> {
     })
 }
 
-/// A point of a member at a fraction of its length, at rest and with how far it moves in a mode:
+/// A point of a member at a fraction of its length, at rest and with its displacement in a mode:
 /// the quartic through the five sampled points.
 pub(super) fn moved_along(
     ends_m: [[f64; 3]; 2],
@@ -123,7 +123,7 @@ pub(super) fn moved_along(
     (at_rest, std::array::from_fn(sum))
 }
 
-/// The largest translation of tower and frame in a mode, on the scale of its shape.
+/// The largest translation of tower and frame in a mode, in the scale of the mode shape.
 pub(super) fn largest_translation(mode: &Mode) -> f64 {
     let size = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
     let of_tower = mode.shape.iter().map(|point| size(&point.translation));

@@ -4,12 +4,12 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::svg::{Colour, Drawing, Stroke};
 
-/// A line of a symbol.
+/// The stroke of a symbol.
 fn ink() -> Stroke {
     Stroke::new(Colour::Ink, 1.1)
 }
 
-/// A spring from one point to another, of a half width.
+/// Draws a spring of this half width from one point to another.
 pub(super) fn spring(drawing: &mut Drawing, from: (f64, f64), to: (f64, f64), half_width: f64) {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let length = dx.hypot(dy);
@@ -33,7 +33,7 @@ pub(super) fn spring(drawing: &mut Drawing, from: (f64, f64), to: (f64, f64), ha
     drawing.polyline(&points, &ink());
 }
 
-/// A rotational spring: a spiral around a point, which begins there and ends below.
+/// A rotational spring: a spiral that begins at a point and ends below it.
 pub(super) fn spiral(drawing: &mut Drawing, center: (f64, f64), radius: f64) {
     let points: Vec<(f64, f64)> = (0..=40)
         .map(|k| {
@@ -78,7 +78,7 @@ pub(super) fn held_left(drawing: &mut Drawing, x: f64, from_y: f64, to_y: f64) {
     held(drawing, [(x, from_y), (x, to_y)], (-6.0, 5.0));
 }
 
-/// A line with strokes from it in a direction.
+/// A line with short hatching strokes in a direction.
 fn held(drawing: &mut Drawing, [from, to]: [(f64, f64); 2], (dx, dy): (f64, f64)) {
     drawing.line(from, to, &Stroke::new(Colour::Ink, 1.4));
     let fine = Stroke::new(Colour::Muted, 0.9);
@@ -108,7 +108,7 @@ pub(super) fn waves(drawing: &mut Drawing, from_x: f64, to_x: f64, y: f64) {
     drawing.polyline(&points, &Stroke::new(Colour::Series(0), 1.4));
 }
 
-/// Slanted lines over a rectangle, rising to the right or falling.
+/// Hatching of a rectangle, rising to the right or falling.
 pub(super) fn hatching(
     drawing: &mut Drawing,
     name: &str,

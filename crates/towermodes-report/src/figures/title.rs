@@ -8,7 +8,7 @@ use crate::wording::conclusion_text;
 /// The texts above a picture.
 #[derive(Debug, Clone, Copy)]
 pub struct TitleWords<'a> {
-    /// The title given by the user; an empty one for a picture without title, none for the default.
+    /// The title given by the user; empty for a picture without title, none for the default.
     pub title: Option<&'a str>,
     /// The method and the mesh: [`computed_by`](crate::wording::computed_by).
     pub computed: Option<&'a str>,
@@ -16,7 +16,8 @@ pub struct TitleWords<'a> {
     pub conclusion: &'a [String],
 }
 
-/// The picture with its title: that of the user, or name of the tower, type of picture and method.
+/// The picture with its title: that of the user, or the name of the tower, the type of picture and
+/// the method.
 pub fn titled(mut figure: Figure, tower: &Tower, words: &TitleWords<'_>) -> Figure {
     let name = tower.name();
     let own = words.title.map(str::trim);
@@ -79,7 +80,7 @@ mod tests {
         (description, tower)
     }
 
-    /// The texts at the top of the picture and its own title.
+    /// The texts at the top of the picture, and its own title.
     fn said(name: &str, title: Option<&str>) -> (Vec<String>, String) {
         let (description, tower) = tower(name);
         let plain = figures::tower(&description, &tower);

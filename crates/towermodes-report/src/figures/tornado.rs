@@ -1,4 +1,4 @@
-//! The influence of the numbers of a tower on its lowest frequency, as a tornado diagram.
+//! The influence of the input values of a tower on its lowest frequency, as a tornado diagram.
 
 use towermodes::TowerDescription;
 use towermodes::number::digits;
@@ -15,24 +15,24 @@ const TOP: f64 = 18.0;
 const ROW: f64 = 22.0;
 const BAR: f64 = 14.0;
 const SIZE: f64 = 12.0;
-/// From the field to the legend: the numbers of the axis and its name.
+/// Distance from the field to the legend, with room for the numbers and the name of the axis.
 const BELOW: f64 = 52.0;
-/// More numbers are not read.
+/// Largest number of bars.
 const MOST: usize = 24;
 /// Room for the number at the end of a bar.
 const ROOM: f64 = 0.16;
-/// Smaller effects, relative to the largest, are no bars.
+/// Effects that are smaller than this, relative to the largest, get no bar.
 const SMALLEST: f64 = 1e-3;
 
-/// A number and what it does to the mode.
+/// An input value and its effect on the mode.
 struct Bar<'a> {
     number: &'a Influence,
-    /// Percent of the frequency if the number grows.
+    /// Change of the frequency in percent for an increase of the input value.
     percent: f64,
 }
 
-/// The influence of the numbers on the lowest mode: a bar per number, the largest on top, for one
-/// percent more and less of each number, or for its tolerance.
+/// The influence of the input values on the lowest mode: a bar per input value, the largest at the
+/// top, for an increase and a decrease by one percent, or by the tolerance.
 pub fn tornado(
     description: &TowerDescription,
     influences: &Influences,
@@ -62,7 +62,7 @@ pub fn tornado(
     }
 }
 
-/// The numbers that change the lowest mode, by falling effect.
+/// The input values that change the lowest mode, by decreasing effect.
 fn bars<'a>(
     description: &TowerDescription,
     influences: &'a Influences,
@@ -121,7 +121,7 @@ fn drawing(bars: &[Bar<'_>], mode: &str, cause: &str) -> Drawing {
     drawing
 }
 
-/// Both halves of a bar, the name of its number on the left and its effect at its end.
+/// Draws both halves of a bar, the name of the input value on the left and the effect at its end.
 fn draw(drawing: &mut Drawing, bar: &Bar<'_>, row: usize, axes: &Axes) {
     let top = axes.frame.top + ROW * row as f64 + 0.5 * (ROW - BAR);
     let middle = axes.x.at(0.0);

@@ -5,10 +5,10 @@ use ttf_parser::{GlyphId, OutlineBuilder};
 
 use crate::svg::{Anchor, Point, TextStyle, face, text_width};
 
-/// The outlines of a text in DejaVu Sans, with its point at the origin, placed by the widths that
-/// [`text_width`] measures; none for a text without ink.
+/// The outlines of a text in DejaVu Sans, with its anchor at the origin and the widths that
+/// [`text_width`] measures; none for a text without visible letters.
 ///
-/// Letters that the font does not have are drawn as its sign for a missing one.
+/// Letters that the font does not have are drawn as its symbol for a missing letter.
 pub(super) fn outlines(text: &str, style: &TextStyle) -> Option<Path> {
     let face = face(style.is_bold)?;
     let width = |text: &str| text_width(text, style.size, style.is_bold);
@@ -29,7 +29,7 @@ pub(super) fn outlines(text: &str, style: &TextStyle) -> Option<Path> {
     pen.path.finish()
 }
 
-/// Draws outlines: the units of the font upwards become those of the drawing downwards.
+/// Builds outlines: the units of the font point upwards, those of the drawing downwards.
 struct Pen {
     path: PathBuilder,
     scale: f64,

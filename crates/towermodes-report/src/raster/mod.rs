@@ -1,5 +1,5 @@
-//! A picture as PNG, painted from the shapes of its drawing. Its text has the font of the program,
-//! so that it is the same everywhere.
+//! A picture as PNG, painted from the shapes of its drawing. Its text has a font that is part of
+//! the program, so it is the same on every system.
 
 mod letters;
 mod painter;
@@ -10,16 +10,16 @@ use tiny_skia::Pixmap;
 use crate::svg::{Figure, Theme};
 use painter::Painter;
 
-/// Wider or higher pictures, in pixels, are refused: each pixel takes four bytes.
+/// Pictures with a larger width or height, in pixels, are refused: each pixel needs four bytes.
 pub const MAX_PIXELS: u32 = 10_000;
 
-/// Smaller scales are refused: no picture is wider than ten pixels then.
+/// Smaller scales are refused, because every picture would be narrower than ten pixels.
 pub const MIN_SCALE: f64 = 0.01;
 
 /// Why a picture was not drawn.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum RasterError {
-    /// The scale is not a number, or too small for a picture.
+    /// The scale is NaN, or too small for a picture.
     #[error("the scale is {scale}; it must be at least {MIN_SCALE}")]
     Scale {
         /// The requested scale.
@@ -38,12 +38,12 @@ pub enum RasterError {
         /// The requested scale.
         scale: f64,
     },
-    /// The pixels could not be written as PNG: a defect of the program.
+    /// The pixels could not be written as PNG: a bug of the program.
     #[error("the pixels cannot be written: {0}")]
     Encoding(String),
 }
 
-/// The largest scale at which a drawing is not refused, rounded down to its shown digits.
+/// The largest scale at which a drawing is not refused, rounded down to the digits shown.
 fn largest_scale(width: f64, height: f64) -> f64 {
     (100.0 * f64::from(MAX_PIXELS) / width.max(height)).floor() / 100.0
 }
@@ -51,7 +51,7 @@ fn largest_scale(width: f64, height: f64) -> f64 {
 /// A picture as PNG, in one theme, with `scale` pixels for each unit of its drawing.
 ///
 /// # Errors
-/// [`RasterError`]: a scale below [`MIN_SCALE`], or more than [`MAX_PIXELS`] pixels a side.
+/// [`RasterError`]: a scale below [`MIN_SCALE`], or a side of more than [`MAX_PIXELS`] pixels.
 pub fn png(figure: &Figure, theme: Theme, scale: f64) -> Result<Vec<u8>, RasterError> {
     let encoded = pixels(figure, theme, scale)?.encode_png();
     encoded.map_err(|error| RasterError::Encoding(error.to_string()))
@@ -107,7 +107,7 @@ mod tests {
         }
     }
 
-    /// How many pixels of a label's box are nearer to black than to white.
+    /// Number of pixels in the box of a label that are closer to black than to white.
     fn dark_pixels(figure: &Figure, label: &LabelBox, theme: Theme, scale: f64) -> usize {
         let pixmap = pixels(figure, theme, scale).expect("pixels");
         let within = |x: u32, y: u32| {

@@ -1,4 +1,4 @@
-//! Shapes as pixels.
+//! Paints shapes as pixels.
 
 use tiny_skia::{
     Color, FillRule, LineJoin, Mask, Paint as Ink, Path, PathBuilder, Pixmap, Rect, Stroke as Pen,
@@ -8,19 +8,19 @@ use tiny_skia::{
 use super::letters::outlines;
 use crate::svg::{Area, Colour, Paint, Point, Shape, Stroke, Theme};
 
-/// Pixels with what determines how the next shape is painted.
+/// The pixels, with the state that applies to the next shape.
 pub(super) struct Painter {
     pub(super) pixmap: Pixmap,
     theme: Theme,
     /// From the units of the drawing to pixels.
     transform: Transform,
-    /// Where shapes are seen; everywhere without it.
+    /// The area in which shapes are visible; everywhere if none.
     mask: Option<Mask>,
 }
 
 impl Painter {
-    /// Paper of a theme with so many pixels, `scale` of them for each unit of the drawing; none if
-    /// they cannot be held.
+    /// Paper of a theme with this number of pixels, `scale` of them for each unit of the drawing;
+    /// none if there is not enough memory.
     pub(super) fn new(width: u32, height: u32, theme: Theme, scale: f64) -> Option<Self> {
         let mut pixmap = Pixmap::new(width, height)?;
         pixmap.fill(colour(Colour::Paper, theme));
@@ -33,7 +33,7 @@ impl Painter {
         })
     }
 
-    /// Paints shapes, each over those before it.
+    /// Paints shapes, each over the previous ones.
     pub(super) fn paint(&mut self, shapes: &[Shape]) {
         for shape in shapes {
             self.paint_shape(shape);
@@ -84,7 +84,7 @@ impl Painter {
         self.mask = before;
     }
 
-    /// The mask so far without what is outside of a path.
+    /// The present mask without the area outside a path.
     fn mask_of(&self, path: &Path) -> Option<Mask> {
         if let Some(mut mask) = self.mask.clone() {
             mask.intersect_path(path, FillRule::Winding, true, self.transform);
@@ -130,7 +130,7 @@ fn translation((x, y): Point) -> Transform {
     Transform::from_translate(x as f32, y as f32)
 }
 
-/// The path through points; the last run is closed on demand.
+/// The path through points; if `is_closed`, the last run is closed.
 fn through(runs: &[Vec<Point>], is_closed: bool) -> Option<Path> {
     let mut path = PathBuilder::new();
     for run in runs {
@@ -160,7 +160,7 @@ fn ink(role: Colour, theme: Theme) -> Ink<'static> {
     ink
 }
 
-/// The colour of a role; each is opaque.
+/// The colour of a role; all colours are opaque.
 fn colour(role: Colour, theme: Theme) -> Color {
     let [red, green, blue] = role.rgb(theme);
     Color::from_rgba8(red, green, blue, u8::MAX)

@@ -32,33 +32,33 @@ pub struct ReportRequest {
     pub covers_excitations: bool,
     /// The rotor; none if its speed is unknown.
     pub rotor: Option<Rotor>,
-    /// The number of blades, where the input gives it without the speed: then there is a diagram
+    /// The number of blades, if the input gives it without the speed: then there is a diagram
     /// without verdicts.
     pub blades: Option<usize>,
-    /// One of its blades, if the input has it.
+    /// One of the blades, if the input describes it.
     pub blade: Option<BladeDescription>,
-    /// The whole turbine, if the input has it.
+    /// The whole turbine, if the input describes it.
     pub turbine: Option<Turbine>,
     /// The options of the resonance check.
     pub campbell: CampbellOptions,
-    /// The factors of the soil stiffness for which frequencies are given too; none for no such
-    /// section.
+    /// The factors of the soil stiffness for which frequencies are given too; none for a report
+    /// without this section.
     pub soil_factors: Option<Vec<f64>>,
-    /// Whether the influence of the numbers on the frequencies is a section of the report.
+    /// Whether the report has a section on the influence of the input values on the frequencies.
     pub sensitivities: bool,
     /// Number of segments of each method in the comparison of methods.
     pub compared_segments: usize,
     /// The shapes for ElastoDyn, or the reason why there are none.
     pub elastodyn: Result<ElastoDynShapes, String>,
-    /// Height from which the shapes for ElastoDyn are taken, m.
+    /// Height at which the shapes for ElastoDyn begin, m.
     pub shapes_from_m: f64,
     /// The data that are not results; the remarks of the resonance check are added to its notes.
     pub circumstances: Circumstances,
-    /// The notes on the shapes for ElastoDyn, which are the last ones.
+    /// The notes on the shapes for ElastoDyn, which follow the other notes.
     pub notes_on_shapes: Vec<String>,
 }
 
-/// The long computations of a report. A program that reports their progress has its own.
+/// The long computations of a report. A program that reports their progress implements them itself.
 pub trait Computation {
     /// A solver for a tower.
     fn solver(&self, options: Options) -> Solver {
@@ -80,7 +80,7 @@ pub trait Computation {
     }
 }
 
-/// The computations without reports of their progress.
+/// The computations without progress reports.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SilentComputation;
 
@@ -146,7 +146,7 @@ impl ReportContent {
     }
 }
 
-/// Puts the ends of a diagram without verdicts in place of operating speeds that are unknown.
+/// Replaces unknown operating speeds by the ends of a diagram without verdicts.
 fn take_unknown_speeds(
     request: &mut ReportRequest,
     computation: &impl Computation,
@@ -188,14 +188,14 @@ fn turbine_of(
     }))
 }
 
-/// The remarks on a turbine that others do not say already.
+/// The remarks on a turbine that are not among those in `said`.
 fn remarks_on(results: &TurbineResults, said: &[String]) -> Vec<String> {
     let remarks = results.coupled.remarks(&results.turbine).into_iter();
     let remarks = remarks.map(|remark| remark.to_string());
     remarks.filter(|remark| !said.contains(remark)).collect()
 }
 
-/// The modes for softer and stiffer soil, if they are asked for.
+/// The modes for softer and stiffer soil, if they are requested.
 fn soil_band_of(
     request: &ReportRequest,
     solution: &Solution,
@@ -222,7 +222,7 @@ fn soil_band_of(
     ))
 }
 
-/// The influence of every number on the lowest modes.
+/// The influence of every input value on the lowest modes.
 fn influences_of_lowest(
     description: &TowerDescription,
     options: &Options,
@@ -234,11 +234,11 @@ fn influences_of_lowest(
     influences(description, None, &mut Solver::new(options))
 }
 
-/// Modes whose derivatives a report has.
+/// Number of modes whose derivatives a report contains.
 const INFLUENCED_MODES: usize = 4;
 
-/// Solves for the requested modes, and for more until they cover the excitations if requested; the
-/// options are set to the number of modes.
+/// Solves for the requested number of modes, and if requested for more until they cover the
+/// excitations; the options then contain the number of modes.
 fn solved(
     request: &mut ReportRequest,
     computation: &impl Computation,

@@ -27,16 +27,17 @@ pub struct ReportContent {
     pub comparison: Result<Comparison, SolveError>,
     /// The resonance check, or why a blade could not be solved; none without a rotor.
     pub campbell: Option<Result<Campbell, CampbellError>>,
-    /// The whole turbine with its turning rotor, or why it could not be solved; none if the input
-    /// has no turbine or no rotor speed.
+    /// The whole turbine with rotating rotor, or the reason why it could not be solved; none if the
+    /// input has no turbine or no rotor speed.
     pub turbine: Option<Result<TurbineResults, CoupledError>>,
-    /// The modes for softer and stiffer soil; none without soil, and if not asked for.
+    /// The modes for softer and stiffer soil; none without soil, and if not requested.
     pub soil_band: Option<SoilBand>,
-    /// The influence of the numbers on the frequencies, or why there is none; only if requested.
+    /// The influence of the input values on the frequencies, or the reason why there is none; only
+    /// if requested.
     pub influences: Option<Result<Influences, SensitivityError>>,
-    /// The shapes for ElastoDyn as its tower file has them, or why there are none.
+    /// The shapes for ElastoDyn as in its tower file, or the reason why there are none.
     pub elastodyn: Result<ElastoDynShapes, String>,
-    /// Height from which the shapes for ElastoDyn are taken, m.
+    /// Height at which the shapes for ElastoDyn begin, m.
     pub shapes_from_m: f64,
     /// The data that are not results.
     pub circumstances: Circumstances,
@@ -80,17 +81,17 @@ pub struct Circumstances {
     pub version: String,
     /// The command as it was typed, arguments quoted for a shell.
     pub command_line: String,
-    /// Its options that control how the input is read, for commands on the same tower; may be
-    /// empty.
+    /// The options of this command that control how the input is read, for commands on the same
+    /// tower; may be empty.
     pub reading: String,
     /// Whether the input is a tower file of this program.
     pub is_own_format: bool,
-    /// The files that the input was read from, the main one first.
+    /// The files of the input, the main one first.
     pub files: Vec<InputFile>,
 }
 
-/// The fields of a document control system. Empty fields are left out; the date is the given text,
-/// because a report has no clock.
+/// The fields of a document control system. Empty fields are omitted; the date is the given text,
+/// because a report must not depend on the clock.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct TitleBlock {
     /// The project or the site.
@@ -112,17 +113,17 @@ pub struct TitleBlock {
 pub struct ElastoDynShapes {
     /// The shapes with their fits.
     pub shapes: TowerShapes,
-    /// ElastoDyn's frequencies of the first and second shape of each plane, without RNA and
+    /// ElastoDyn's frequencies for the first and second shape of each plane, without RNA and
     /// gravity, Hz.
     pub frequency_alone_hz: Planes<[f64; 2]>,
 }
 
-/// A file that the input was read from.
+/// A file of the input.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct InputFile {
     /// Its path as it was given.
     pub name: String,
-    /// Whether size and checksum are those of its text in UTF-8, because the bytes are no longer
+    /// Whether size and checksum refer to its text in UTF-8, because the bytes are no longer
     /// available: standard input, pipes.
     pub is_of_text: bool,
     /// Its size.

@@ -18,11 +18,11 @@ pub(super) struct Document {
 
 /// A part with a heading.
 pub(super) struct Section {
-    /// Its id in links: a word in small letters.
+    /// The id of the section in links: a word in lower case.
     pub id: &'static str,
     /// The heading.
     pub title: String,
-    /// Whether it is an appendix; appendices have letters in place of numbers.
+    /// Whether it is an appendix; appendices have letters instead of numbers.
     pub is_appendix: bool,
     /// Its content.
     pub blocks: Vec<Block>,
@@ -30,11 +30,11 @@ pub(super) struct Section {
 
 /// A piece of a section.
 pub(super) enum Block {
-    /// A heading within it.
+    /// A heading within the section.
     Heading(String),
     /// Running text.
     Paragraph(String),
-    /// Sentences with a word before each.
+    /// Sentences, each preceded by a keyword.
     Statements(Vec<Statement>),
     /// A list.
     List(Vec<String>),
@@ -42,11 +42,11 @@ pub(super) enum Block {
     Code(String),
     /// A file of the input.
     File(EmbeddedFile),
-    /// Numbers.
+    /// A table.
     Table(Table),
     /// A picture.
     Picture(Box<Picture>),
-    /// The numbers of a picture of another section.
+    /// The data of a picture of another section.
     Numbers(Numbers),
     /// The animated mode shapes.
     Animation(AnimationData),
@@ -54,9 +54,9 @@ pub(super) enum Block {
     Whirl(WhirlAnimation),
 }
 
-/// A sentence with a word before it.
+/// A sentence preceded by a keyword.
 pub(super) struct Statement {
-    /// The word.
+    /// The keyword.
     pub lead: &'static str,
     /// The sentence.
     pub text: String,
@@ -72,17 +72,17 @@ pub(super) struct Picture {
     pub number: usize,
     /// Its name in `towermodes plot --what`; none if only reports have the picture.
     pub what: Option<&'static str>,
-    /// Whether the tables of the section have its numbers.
+    /// Whether the tables of the section contain its data.
     pub is_tabulated: bool,
 }
 
-/// The numbers of a picture.
+/// The data of a picture.
 pub(super) struct Numbers {
     /// The number of the picture.
     pub picture: usize,
     /// Its title.
     pub title: String,
-    /// The numbers.
+    /// The data.
     pub table: DataTable,
 }
 
@@ -119,7 +119,7 @@ impl Document {
         }
         self
     }
-    /// The numbers of the pictures that no table of their section has.
+    /// The data of the pictures that no table of their section contains.
     pub(super) fn numbers(&self) -> Vec<Numbers> {
         let blocks = self.sections.iter().flat_map(|section| &section.blocks);
         let pictures = blocks.filter_map(|block| match block {

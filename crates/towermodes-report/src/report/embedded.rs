@@ -1,28 +1,28 @@
-//! Input files as the report includes them.
+//! Input files as they are included in the report.
 
 use super::content::InputFile;
 use super::mark::printable;
 use crate::wording::counted;
 
-/// Longer files are cut to this number of bytes.
+/// Longer files are cut at this number of bytes.
 const MOST_OF_A_FILE: usize = 256 * 1024;
-/// All files together are cut to this number of bytes.
+/// All files together are cut at this number of bytes.
 const MOST_OF_ALL: usize = 1024 * 1024;
 
-/// An input file, as far as the report includes it.
+/// An input file, as far as it is included in the report.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct EmbeddedFile {
     /// Its path as it was given.
     pub name: String,
-    /// Its text, lines ending with a line feed.
+    /// Its text; lines end with a line feed.
     pub text: String,
     /// Whether each of its lines ends with a carriage return and a line feed.
     pub has_crlf: bool,
-    /// How the text differs from the bytes of the file, if it does.
+    /// The difference between the text and the bytes of the file, if there is one.
     pub differs: Option<String>,
 }
 
-/// The files of the input, the main one first, each as far as there is room.
+/// The files of the input, the main one first, each as far as it fits.
 pub(super) fn embedded(files: &[InputFile]) -> Vec<EmbeddedFile> {
     let mut room = MOST_OF_ALL;
     let embed = |file: &InputFile| {
@@ -34,7 +34,7 @@ pub(super) fn embedded(files: &[InputFile]) -> Vec<EmbeddedFile> {
 }
 
 impl EmbeddedFile {
-    /// As many whole lines of a file as are not longer than `most` bytes together.
+    /// The whole lines at the beginning of a file that together have at most `most` bytes.
     fn new(file: &InputFile, most: usize) -> Self {
         let shown = beginning(&file.text, most);
         let line_feeds = shown.matches('\n').count();
@@ -66,7 +66,7 @@ impl EmbeddedFile {
     }
 }
 
-/// The whole text if it is not longer than `most` bytes, else its whole lines within these.
+/// The whole text if it has at most `most` bytes, otherwise the whole lines within this limit.
 fn beginning(text: &str, most: usize) -> &str {
     if text.len() <= most {
         return text;

@@ -2,8 +2,8 @@
 
 use thiserror::Error;
 
-/// A report that cannot be rendered. Every input should give one, so each error is a defect of this
-/// crate.
+/// Why a report cannot be rendered. This should not happen for any input, so each error is a bug of
+/// this crate.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ReportError {

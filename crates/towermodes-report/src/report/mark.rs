@@ -1,4 +1,4 @@
-//! Verdicts and texts as a page shows them.
+//! The display of verdicts and texts on a page.
 
 use towermodes_analysis::Verdict;
 
@@ -23,7 +23,8 @@ impl Mark {
     }
 }
 
-/// Text with a space for each character that could hide or forge the content of a page.
+/// A text in which a space replaces each character that is invisible or could forge the content of
+/// a page.
 pub(super) fn printable(text: &str) -> String {
     wording::printable(text, ' ').into_owned()
 }

@@ -9,10 +9,10 @@ use super::sections::document;
 use super::table::{Cell, Table};
 use crate::svg::DataTable;
 
-/// Tables with more rows are shortened like those of the page.
+/// Tables with more rows are shortened as on the page.
 const MOST_WHOLE_ROWS: usize = 100;
 
-/// The report as Markdown in the dialect of GitHub: the same as [`html()`](super::html()) without
+/// The report as GitHub-flavoured Markdown: the content of [`html()`](super::html()) without
 /// pictures, but with the commands that draw them.
 pub fn markdown(content: &ReportContent) -> String {
     let document = document(content);
@@ -50,7 +50,7 @@ fn of_block(block: &Block, content: &ReportContent) -> Option<String> {
         Block::File(file) => of_file(file),
         Block::Table(table) => of_table(table),
         Block::Picture(picture) => of_picture(picture, content),
-        // The numbers are below the picture, or its command is.
+        // The picture is followed by its data or by the command that writes them.
         Block::Animation(_) | Block::Whirl(_) | Block::Numbers(_) => return None,
     })
 }
@@ -58,7 +58,7 @@ fn of_block(block: &Block, content: &ReportContent) -> Option<String> {
 fn of_file(file: &EmbeddedFile) -> String {
     let differs = file.differs.as_ref();
     let differs = differs.map_or(String::new(), |differs| {
-        format!(" Differs from the file: {}.", line(differs))
+        format!(" The text differs from the file: {}.", line(differs))
     });
     let text = fenced(file.text.strip_suffix('\n').unwrap_or(&file.text));
     format!("**{}**{differs}\n\n{text}", line(&file.name))
@@ -79,12 +79,13 @@ fn statement(statement: &Statement) -> String {
     )
 }
 
-/// The word of a verdict.
+/// The text of a verdict.
 fn marked(mark: Mark) -> String {
     format!("**{}**", mark.word)
 }
 
-/// The description of a picture, and the command that draws it, otherwise its numbers.
+/// The description of a picture, and the command that draws it, or its data if there is no such
+/// command.
 fn of_picture(picture: &Picture, content: &ReportContent) -> String {
     let figure = &picture.figure;
     let heading = format!(
@@ -171,7 +172,7 @@ fn line(text: &str) -> String {
     escaped
 }
 
-/// Code within a fence longer than any in it.
+/// Code within a fence that is longer than any fence in the code.
 fn fenced(text: &str) -> String {
     let text = printable(text);
     let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);

@@ -60,12 +60,13 @@ pub(super) fn command(content: &ReportContent, name: &str, options: &[String]) -
     words.join(" ")
 }
 
-/// The options of a solution. The method is always included, because a file may prescribe another.
+/// The options of a solution. The method is always included, because a file may prescribe another
+/// one.
 fn solved(options: &Options) -> String {
     format!("--method {} {}", options.method.name(), asked(options))
 }
 
-/// The options that every method has.
+/// The options that apply to every method.
 fn asked(options: &Options) -> String {
     let mut text = format!("--modes {}", options.modes);
     if let Some(segments) = options.segments {

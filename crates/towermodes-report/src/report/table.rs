@@ -1,4 +1,4 @@
-//! Tables of a report, and the rows of long ones that are shown.
+//! Tables of a report, and the selection of rows of long tables.
 
 use towermodes_analysis::Verdict;
 
@@ -17,7 +17,7 @@ pub(super) const MOST_ROWS: usize = 4000;
 pub(super) struct Column {
     /// Its name, unit included.
     pub name: String,
-    /// Whether it is flush right.
+    /// Whether it is aligned right.
     pub is_number: bool,
 }
 
@@ -26,7 +26,7 @@ pub(super) struct Column {
 pub(super) struct Cell {
     /// Its text.
     pub text: String,
-    /// Its verdict, if it is one.
+    /// Its verdict, if it contains one.
     pub verdict: Option<Mark>,
 }
 
@@ -63,11 +63,11 @@ pub(super) struct Table {
     pub caption: String,
     /// Its columns.
     pub columns: Vec<Column>,
-    /// Its rows, all that a report may have.
+    /// Its rows, at most as many as a report may contain.
     pub rows: Vec<Vec<Cell>>,
-    /// How many rows are not among these, from their middle.
+    /// Number of omitted rows in the middle.
     pub left_out: usize,
-    /// The rows that are shown at first, if not all.
+    /// The rows that are shown at first, if these are not all.
     pub brief: Option<Brief>,
 }
 
@@ -75,15 +75,15 @@ pub(super) struct Table {
 pub(super) struct Brief {
     /// Their indices.
     pub shown: Vec<usize>,
-    /// After how many of them others are left out that belong between; none if those are here and
-    /// there.
+    /// The number of shown rows before the gap, if the omitted rows are consecutive; none if they
+    /// are scattered.
     pub gap_after: Option<usize>,
-    /// Their name: "pairs whose frequencies differ by at most a factor of 2".
+    /// Their description: "pairs whose frequencies differ by at most a factor of 2".
     pub which: String,
 }
 
 impl Table {
-    /// A table without rows; names that begin with `#` are of columns flush right.
+    /// A table without rows; a column whose name begins with `#` is aligned right.
     pub(super) fn new<'a>(
         caption: impl Into<String>,
         columns: impl IntoIterator<Item = &'a str>,
@@ -102,7 +102,7 @@ impl Table {
         }
     }
 
-    /// Quantities with their values.
+    /// A table of quantities with their values.
     pub(super) fn of_facts<'a>(
         caption: impl Into<String>,
         facts: impl IntoIterator<Item = (&'a str, String)>,
@@ -114,7 +114,7 @@ impl Table {
         table
     }
 
-    /// The same with a first column of names, if any row has one.
+    /// The table with a first column of names, if any row has one.
     pub(super) fn named(mut self, names: &[String]) -> Self {
         if names.iter().all(|name| name.trim().is_empty()) {
             return self;
@@ -136,8 +136,8 @@ impl Table {
         self.rows.push(row.into_iter().map(Into::into).collect());
     }
 
-    /// The same without the columns whose every cell is 0 or rigid, which the caption then names.
-    /// The first column stays, because it names the row.
+    /// The table without the columns in which every cell is 0 or rigid; the caption names these.
+    /// The first column remains, because it names the row.
     pub(super) fn without_empty_columns(mut self) -> Self {
         for (cell, value) in [("0", "zero"), ("rigid", "rigid")] {
             let names = self.drop_columns_of(cell);
@@ -151,7 +151,7 @@ impl Table {
         self
     }
 
-    /// Drops the columns that have one text in every row; gives their names without units.
+    /// Removes the columns that have this text in every row; returns their names without units.
     fn drop_columns_of(&mut self, text: &str) -> Vec<String> {
         let rows = &self.rows;
         let is_empty = |column: usize| {
@@ -181,7 +181,7 @@ impl Table {
         names
     }
 
-    /// The same, shortened in its middle if it is long.
+    /// The table, shortened in its middle if it is long.
     pub(super) fn shortened(mut self) -> Self {
         let count = self.rows.len();
         if count > MOST_ROWS {
@@ -199,8 +199,8 @@ impl Table {
         self
     }
 
-    /// The same with only those rows shown at first that `is_shown` picks, and that `which` names.
-    /// A huge table contains only these rows, or the first of them.
+    /// The table with only those rows shown at first that `is_shown` selects and `which` describes.
+    /// A very large table contains only these rows, or the first of them.
     pub(super) fn with_only(mut self, which: &str, is_shown: impl Fn(usize) -> bool) -> Self {
         let count = self.rows.len();
         let shown: Vec<usize> = (0..count).filter(|row| is_shown(*row)).collect();

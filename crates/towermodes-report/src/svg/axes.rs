@@ -8,7 +8,7 @@ use super::text::{text_width, widest};
 
 /// Size of the numbers along an axis.
 const NUMBERS: f64 = 11.0;
-/// Given numbers along a lower axis are at least so far apart.
+/// Smallest distance of given numbers along a lower axis.
 const BETWEEN: f64 = 8.0;
 /// Size of an axis' name.
 const NAME: f64 = 12.0;
@@ -43,9 +43,9 @@ impl Frame {
 pub struct Axes {
     /// The field.
     pub frame: Frame,
-    /// Along its lower edge.
+    /// The scale along its lower edge.
     pub x: Scale,
-    /// Along its left edge, upwards.
+    /// The scale along its left edge, upwards.
     pub y: Scale,
 }
 
@@ -63,12 +63,12 @@ impl Axes {
         }
     }
 
-    /// The place of a pair of values.
+    /// The position of a pair of values.
     pub fn at(&self, x: f64, y: f64) -> (f64, f64) {
         (self.x.at(x), self.y.at(y))
     }
 
-    /// The left margin that the numbers and the name of an axis of these values need.
+    /// The left margin that is needed for the numbers and the name of an axis of these values.
     pub fn left_margin(values: [f64; 2], is_logarithmic: bool, numbers: impl Into<Numbers>) -> f64 {
         let scale = Scale {
             is_logarithmic,
@@ -116,9 +116,9 @@ impl Axes {
 /// The numbers along an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Numbers {
-    /// Round ones, about so many.
+    /// Round numbers, about this many.
     About(usize),
-    /// These values with their texts; along a lower axis as many as there is room for.
+    /// These values with their texts; along a lower axis as many as fit.
     At(Vec<(f64, String)>),
 }
 
@@ -141,7 +141,7 @@ fn widest_of(ticks: &[(f64, String)]) -> f64 {
     widest(ticks.iter().map(|(_, text)| text.as_str()), NUMBERS, false)
 }
 
-/// As many of the numbers as there is room for.
+/// As many of the numbers as fit.
 fn with_room(mut ticks: Vec<(f64, String)>, scale: &Scale) -> Vec<(f64, String)> {
     let mut free = f64::NEG_INFINITY;
     ticks.retain(|(value, text)| {
@@ -207,9 +207,9 @@ fn tick_texts(scale: &Scale, count: usize) -> Vec<(f64, String)> {
         .collect()
 }
 
-/// Moves places apart as little as possible until neighbours have at least the distance `gap` and
-/// all are within `range`: for labels beside the ends of lines. The order stays; if there is not
-/// enough room, the places are spaced evenly.
+/// Moves positions apart as little as possible until neighbours have at least the distance `gap`
+/// and all are within `range`: for labels beside the ends of lines. Their order is kept; if there
+/// is not enough room, the positions are spaced evenly.
 pub fn spread(places: &[f64], gap: f64, range: [f64; 2]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..places.len()).collect();
     order.sort_by(|a, b| places[*a].total_cmp(&places[*b]));

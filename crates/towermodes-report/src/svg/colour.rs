@@ -1,11 +1,11 @@
 //! Colours by their role, for light and dark paper.
 
-/// The role of a line or a surface, which each theme gives a colour.
+/// The role of a line or an area, to which each theme assigns a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Colour {
     /// Text and outlines.
     Ink,
-    /// Text and axes of less weight.
+    /// Text and axes of less importance.
     Muted,
     /// Lines of a grid.
     Grid,
@@ -19,15 +19,15 @@ pub enum Colour {
     Soil,
     /// Water.
     Water,
-    /// A shaded range, for instance of speeds.
+    /// A shaded range, for example of speeds.
     Band,
-    /// A permitted range, for instance of frequencies.
+    /// A permitted range, for example of frequencies.
     Window,
     /// Within twice a required margin.
     Near,
     /// Within the required margin.
     TooNear,
-    /// Members of a family that is drawn together, from 0; beyond the last they begin again.
+    /// Lines of a series, from 0; after the last colour they repeat.
     Series(usize),
     /// Pass.
     Pass,
@@ -85,7 +85,7 @@ impl Colour {
         Self::Fail,
     ];
 
-    /// As `#rrggbb`.
+    /// The colour as `#rrggbb`.
     pub fn hex(self, theme: Theme) -> &'static str {
         let [light, dark] = match self {
             Self::Ink => ["#1b1f24", "#e8eaed"],
@@ -139,9 +139,9 @@ impl Colour {
     }
 }
 
-/// The rules of a style sheet that give the classes of drawings, `s-NAME` for strokes and `f-NAME`
-/// for fills, their colours: `value` gives a colour or a variable for each. `scope` is written
-/// before each class.
+/// The rules of a style sheet that assign colours to the classes of drawings, `s-NAME` for strokes
+/// and `f-NAME` for fills: `value` gives a colour or a variable for each. `scope` is written before
+/// each class.
 pub fn stylesheet(scope: &str, value: impl Fn(Colour) -> String) -> String {
     let rule = |colour: Colour| {
         let (name, value) = (colour.name(), value(colour));

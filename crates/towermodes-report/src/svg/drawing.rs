@@ -21,7 +21,7 @@ pub struct LabelBox {
 }
 
 impl LabelBox {
-    /// Whether it shares more than an edge with another.
+    /// Whether it overlaps another box by more than an edge.
     pub fn overlaps(&self, other: &Self) -> bool {
         self.left < other.right
             && other.left < self.right
@@ -52,7 +52,7 @@ impl Drawing {
         }
     }
 
-    /// The shapes, the lowest first.
+    /// The shapes, in the order in which they are drawn.
     pub(crate) fn shapes(&self) -> &[Shape] {
         &self.shapes
     }
@@ -67,7 +67,7 @@ impl Drawing {
         self.polyline(&[from, to], stroke);
     }
 
-    /// A line through points; where a point is not finite it is interrupted.
+    /// A line through points; it is interrupted where a point is not finite.
     pub fn polyline(&mut self, points: &[Point], stroke: &Stroke) {
         let (runs, stroke) = (runs(points), *stroke);
         if !runs.is_empty() {
@@ -75,7 +75,7 @@ impl Drawing {
         }
     }
 
-    /// A closed surface, with an edge if there is a stroke.
+    /// A filled polygon, with an edge if there is a stroke.
     pub fn polygon(&mut self, points: &[Point], fill: Colour, edge: Option<&Stroke>) {
         let (runs, paint) = (runs(points), Paint::new(fill, edge));
         if !runs.is_empty() {
@@ -105,7 +105,7 @@ impl Drawing {
         });
     }
 
-    /// A mark at a point, `radius` from its middle to its edge.
+    /// A marker at a point; `radius` is the distance from its middle to its edge.
     pub fn marker(&mut self, marker: Marker, at: Point, radius: f64, colour: Colour) {
         let (x, y) = at;
         if !(x.is_finite() && y.is_finite()) {
@@ -148,7 +148,7 @@ impl Drawing {
         self.labels.push(label_box(at, text, style));
     }
 
-    /// Draws inside a rectangle; everything beyond it is cut. `name` must be unique in the drawing.
+    /// Draws inside a rectangle; everything outside is cut. `name` must be unique in the drawing.
     pub fn clipped(
         &mut self,
         name: &str,
@@ -166,7 +166,7 @@ impl Drawing {
         });
     }
 
-    /// The same on a sheet that is higher by so much, with the room above it.
+    /// The drawing on a sheet that is higher by this amount, with the additional room above.
     pub(super) fn lowered(self, by: f64) -> Self {
         let mut labels = self.labels;
         for label in &mut labels {

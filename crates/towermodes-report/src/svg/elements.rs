@@ -7,7 +7,7 @@ use towermodes::is_printable;
 use super::shape::{Area, Paint, Point, Shape};
 use super::style::{Anchor, Stroke, TextStyle};
 
-/// The elements of shapes, each on a line; `id` begins every id.
+/// The elements of shapes, one per line; every id begins with `id`.
 pub(super) fn elements(shapes: &[Shape], id: &str) -> String {
     let mut body = String::new();
     for shape in shapes {
@@ -126,7 +126,7 @@ fn path(runs: &[Vec<Point>]) -> String {
     path
 }
 
-/// A length in hundredths of a pixel, without zeros at its end.
+/// A length in hundredths of a pixel, without trailing zeros.
 fn short(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

@@ -1,25 +1,25 @@
-//! A picture with its title, its description and its numbers.
+//! A picture with its title, its description and its data.
 
 use super::colour::{Colour, Theme, stylesheet};
 use super::drawing::{Drawing, LabelBox};
 use super::elements::{elements, escaped};
 
-/// The fonts of a picture: DejaVu Sans, whose widths are measured, or narrower ones.
+/// The fonts of a picture: DejaVu Sans, whose widths are measured, or narrower fonts.
 const FONTS: &str =
     "'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif";
 
 /// The source of the colours of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Look {
-    /// A file of its own that follows the reader's preference for light or dark.
+    /// A separate file that follows the reader's preference for light or dark.
     Standalone,
-    /// A file of its own in one theme.
+    /// A separate file in one theme.
     Fixed(Theme),
     /// A part of a page that has the rules of [`stylesheet`].
     Inline,
 }
 
-/// The numbers of a picture as a table, for readers who cannot see it.
+/// The data of a picture as a table, for readers who cannot see it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DataTable {
     /// The names of the columns, units included.
@@ -29,7 +29,7 @@ pub struct DataTable {
 }
 
 impl DataTable {
-    /// A table of rows as long as the header.
+    /// A table whose rows have the length of the header.
     pub fn new<const N: usize>(
         header: [&str; N],
         rows: impl IntoIterator<Item = Vec<String>>,
@@ -48,11 +48,11 @@ pub struct Figure {
     pub name: String,
     /// The title, one line.
     pub title: String,
-    /// The alternative text: what the picture shows, in a few sentences.
+    /// The alternative text: the content of the picture in a few sentences.
     pub description: String,
     /// The picture.
     pub drawing: Drawing,
-    /// Its numbers.
+    /// Its data.
     pub table: DataTable,
 }
 

@@ -1,4 +1,4 @@
-//! A visible heading above a standalone picture, for instance as an attachment.
+//! A visible heading above a standalone picture, for example for an attachment.
 
 use super::figure::Figure;
 use super::style::TextStyle;
@@ -9,9 +9,9 @@ use super::{Colour, Stroke};
 const TITLE: f64 = 16.0;
 /// Size of the lines below it.
 const LINES: f64 = 12.0;
-/// From the edges of the sheet to the text.
+/// Distance from the edges of the sheet to the text.
 const MARGIN: f64 = 12.0;
-/// Below the heading.
+/// Room below the heading.
 const BELOW: f64 = 10.0;
 /// The largest number of lines of a text; the rest is cut.
 const MOST_LINES: [usize; 2] = [2, 5];
@@ -19,16 +19,15 @@ const MOST_LINES: [usize; 2] = [2, 5];
 /// The heading of a picture.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Heading {
-    /// The title in bold: the tower's name. An empty title is left out.
+    /// The title in bold: the tower's name. An empty title is omitted.
     pub title: String,
-    /// Below it, each a paragraph: first, in muted letters, what the picture shows and how it was
-    /// computed, then what follows from it.
+    /// The paragraphs below it: first, in muted letters, the content of the picture and the method,
+    /// then the conclusions.
     pub lines: Vec<String>,
 }
 
 impl Heading {
-    /// The title's lines and the others, as they are broken on a sheet of a width, with their
-    /// style.
+    /// The lines of the title and of the paragraphs for the width of a sheet, with their style.
     fn broken(&self, width: f64) -> Vec<(String, TextStyle)> {
         let title = TextStyle::new(TITLE).bold();
         let line = TextStyle::new(LINES);
@@ -71,7 +70,7 @@ impl Figure {
 }
 
 /// A text in at most `most` lines no wider than `room`, broken between words, and within words that
-/// are wider; the rest is cut with "…".
+/// are too wide; the rest is cut with "…".
 pub(crate) fn broken(text: &str, room: f64, style: &TextStyle, most: usize) -> Vec<String> {
     let width = |text: &str| text_width(text, style.size, style.is_bold);
     let mut lines: Vec<String> = Vec::new();
@@ -94,7 +93,7 @@ pub(crate) fn broken(text: &str, room: f64, style: &TextStyle, most: usize) -> V
     lines
 }
 
-/// A word in pieces that fit.
+/// A word divided into pieces that fit.
 fn pieces(word: &str, room: f64, width: &impl Fn(&str) -> f64) -> Vec<String> {
     let mut pieces = vec![String::new()];
     for c in word.chars() {
@@ -126,7 +125,7 @@ mod tests {
         }
     }
 
-    /// 12 above, a title of 1.3·16, two lines of 1.3·12, 10 below: 74 lower.
+    /// 12 above, a title of 1.3·16, two lines of 1.3·12, 10 below: the picture moves down by 74.
     #[test]
     fn the_picture_is_below_its_heading() {
         let heading = Heading {

@@ -1,4 +1,4 @@
-//! A small writer of SVG: shapes in the colours of a role, text that is measured, axes.
+//! A small SVG writer: shapes whose colours are given by roles, measured text, axes.
 
 mod axes;
 mod colour;

@@ -1,4 +1,4 @@
-//! Linear and logarithmic scales from values to places on a sheet.
+//! Linear and logarithmic scales from values to positions on a sheet.
 
 use crate::number::superscript;
 
@@ -9,9 +9,9 @@ pub struct Scale {
     pub low: f64,
     /// The value at the end.
     pub high: f64,
-    /// The place of the beginning.
+    /// The position of the beginning.
     pub from: f64,
-    /// The place of the end.
+    /// The position of the end.
     pub to: f64,
     /// Whether the scale is logarithmic.
     pub is_logarithmic: bool,
@@ -37,7 +37,7 @@ impl Scale {
         }
     }
 
-    /// The place of a value.
+    /// The position of a value.
     pub fn at(&self, value: f64) -> f64 {
         let (a, b, v) = if self.is_logarithmic {
             (self.low.ln(), self.high.ln(), value.ln())
@@ -48,7 +48,7 @@ impl Scale {
         self.from + share * (self.to - self.from)
     }
 
-    /// Round values within the axis, about `count` of them; powers of ten on a logarithmic one.
+    /// Round values within the axis, about `count` of them; on a logarithmic axis powers of ten.
     pub fn ticks(&self, count: usize) -> Vec<f64> {
         if self.is_logarithmic {
             return decades(self.low, self.high, count);
@@ -77,7 +77,7 @@ fn decades(low: f64, high: f64, count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// The smallest and the largest of some values; none if there are none. NaN is neither.
+/// The smallest and the largest value; none if there are no values. NaN is ignored.
 pub(crate) fn extent(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
     let ends = values
         .into_iter()
@@ -96,13 +96,13 @@ fn round_step(step: f64) -> f64 {
     nearest.unwrap_or(10.0) * power
 }
 
-/// Whether a number is short as a power of ten and long written out.
+/// Whether a number is shorter as a power of ten than in decimal notation.
 pub(super) fn is_far_from_one(value: f64) -> bool {
     !(-3.5..6.5).contains(&value.abs().log10())
 }
 
-/// A number with as many decimals as a step between neighbours needs, `10⁻⁴` for powers of ten that
-/// are far from one.
+/// A number with as many decimals as the step between neighbours requires, `10⁻⁴` for powers of ten
+/// that are far from one.
 pub fn number(value: f64, step: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
@@ -113,7 +113,7 @@ pub fn number(value: f64, step: f64) -> String {
     plain(value, step)
 }
 
-/// A number written out with as many decimals as a step between neighbours needs.
+/// A number in decimal notation with as many decimals as the step between neighbours requires.
 pub(super) fn plain(value: f64, step: f64) -> String {
     let decimals = (-(step.abs().log10() + 1e-9).floor()).clamp(0.0, 9.0) as usize;
     let text = format!("{value:.decimals$}");

@@ -1,4 +1,4 @@
-//! What a drawing consists of.
+//! The shapes of a drawing.
 
 use super::colour::Colour;
 use super::style::{Stroke, TextStyle};
@@ -6,26 +6,26 @@ use super::style::{Stroke, TextStyle};
 /// A point on the sheet: x to the right, y downwards.
 pub type Point = (f64, f64);
 
-/// One shape, or shapes that are drawn in another way together.
+/// One shape, or a group of shapes with a common change.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Shape {
-    /// A line through points, interrupted between runs.
+    /// A line through points, with interruptions between runs.
     Lines {
         /// The runs of points that are joined.
         runs: Vec<Vec<Point>>,
-        /// How the line is drawn.
+        /// The stroke of the line.
         stroke: Stroke,
     },
-    /// A closed surface.
+    /// A filled area.
     Surface {
-        /// Its corners, in runs as of a line; the last run is closed.
+        /// Its corners in runs, as for a line; the last run is closed.
         runs: Vec<Vec<Point>>,
         /// Its colours.
         paint: Paint,
     },
     /// A rectangle.
     Rectangle {
-        /// Its place and size.
+        /// Its position and size.
         area: Area,
         /// Its colours.
         paint: Paint,
@@ -45,12 +45,12 @@ pub(crate) enum Shape {
         at: Point,
         /// The text.
         text: String,
-        /// How it is written.
+        /// The style of the text.
         style: TextStyle,
     },
     /// Shapes that are cut at the edges of a rectangle.
     Clipped {
-        /// A name that no other group of the drawing has.
+        /// A name that is unique among the groups of the drawing.
         name: String,
         /// The rectangle.
         area: Area,
@@ -59,23 +59,23 @@ pub(crate) enum Shape {
     },
     /// Shapes that are moved downwards.
     Lowered {
-        /// How far.
+        /// The distance.
         by: f64,
         /// The shapes.
         shapes: Vec<Shape>,
     },
 }
 
-/// The colours of a surface.
+/// The colours of an area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Paint {
-    /// The surface itself.
+    /// The fill.
     pub(crate) fill: Colour,
     /// Its edge, if it has one.
     pub(crate) edge: Option<Stroke>,
 }
 
-/// The place and the size of a rectangle.
+/// The position and the size of a rectangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Area {
     /// Its upper left corner.
@@ -85,7 +85,7 @@ pub(crate) struct Area {
 }
 
 impl Paint {
-    /// The colours of a surface, with those of an edge if there is a stroke.
+    /// The colours of an area, with the stroke of its edge if there is one.
     pub(super) fn new(fill: Colour, edge: Option<&Stroke>) -> Self {
         let edge = edge.copied();
         Self { fill, edge }
@@ -93,14 +93,14 @@ impl Paint {
 }
 
 impl Area {
-    /// A rectangle; a negative width or height is none.
+    /// A rectangle; a negative width or height becomes zero.
     pub(super) fn new(left_top: Point, size: (f64, f64)) -> Self {
         let size = (size.0.max(0.0), size.1.max(0.0));
         Self { left_top, size }
     }
 }
 
-/// Points in runs: where a point is not finite, a run ends.
+/// Points divided into runs: a run ends where a point is not finite.
 pub(super) fn runs(points: &[Point]) -> Vec<Vec<Point>> {
     let runs = points.split(|(x, y)| !(x.is_finite() && y.is_finite()));
     let runs = runs.filter(|run| !run.is_empty());

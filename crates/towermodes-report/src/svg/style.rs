@@ -1,8 +1,8 @@
-//! How lines, marks and texts are drawn.
+//! The styles of lines, markers and texts.
 
 use super::colour::Colour;
 
-/// How a line is drawn.
+/// The style of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stroke {
     /// Its colour.
@@ -14,7 +14,7 @@ pub struct Stroke {
 }
 
 impl Stroke {
-    /// A whole line.
+    /// A solid line.
     pub fn new(colour: Colour, width: f64) -> Self {
         Self {
             colour,
@@ -23,7 +23,7 @@ impl Stroke {
         }
     }
 
-    /// The same line broken.
+    /// The same stroke with a dash pattern.
     pub fn dashed(self, dash: Dash) -> Self {
         Self { dash, ..self }
     }
@@ -32,20 +32,20 @@ impl Stroke {
 /// The dash pattern of a line, which distinguishes lines without colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dash {
-    /// Not at all.
+    /// Solid.
     Whole,
-    /// In dashes.
+    /// Dashed.
     Dashed,
-    /// In dots.
+    /// Dotted.
     Dotted,
-    /// In dashes and dots by turns.
+    /// Alternating dashes and dots.
     DashDot,
-    /// In long dashes.
+    /// Long dashes.
     Long,
 }
 
 impl Dash {
-    /// A dash for each member of a series, from 0.
+    /// The dash pattern of a member of a series, from 0.
     pub fn of_series(index: usize) -> Self {
         [
             Self::Whole,
@@ -56,7 +56,7 @@ impl Dash {
         ][index % 5]
     }
 
-    /// The lengths of dashes and gaps in turn; none of a whole line.
+    /// The lengths of dashes and gaps alternating; empty for a solid line.
     pub(crate) fn lengths(self) -> &'static [f32] {
         match self {
             Self::Whole => &[],
@@ -68,7 +68,7 @@ impl Dash {
     }
 }
 
-/// A mark at a point, which distinguishes series without colour.
+/// A marker at a point, which distinguishes series without colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Marker {
     /// A disc.
@@ -77,7 +77,7 @@ pub enum Marker {
     Square,
     /// A triangle.
     Triangle,
-    /// A square on its corner.
+    /// A diamond.
     Diamond,
     /// A cross.
     Cross,
@@ -102,7 +102,7 @@ impl Marker {
     }
 }
 
-/// The part of a text that is at its point.
+/// The part of a text that is at its position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     /// Its beginning.
@@ -113,23 +113,23 @@ pub enum Anchor {
     End,
 }
 
-/// How a text is written.
+/// The style of a text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TextStyle {
     /// Size of the letters.
     pub size: f64,
     /// Colour.
     pub colour: Colour,
-    /// Which part of it is at its point.
+    /// The part of the text that is at its position.
     pub anchor: Anchor,
     /// Whether it is bold.
     pub is_bold: bool,
-    /// Whether it reads upwards.
+    /// Whether the text is vertical, upwards.
     pub is_turned: bool,
 }
 
 impl TextStyle {
-    /// Text of a size in ink, beginning at its point.
+    /// Text of a size in ink colour, beginning at its position.
     pub fn new(size: f64) -> Self {
         Self {
             size,
@@ -140,17 +140,17 @@ impl TextStyle {
         }
     }
 
-    /// The same in another colour.
+    /// The same style in another colour.
     pub fn colour(self, colour: Colour) -> Self {
         Self { colour, ..self }
     }
 
-    /// The same with another part at its point.
+    /// The same style with another anchor.
     pub fn anchor(self, anchor: Anchor) -> Self {
         Self { anchor, ..self }
     }
 
-    /// The same in bold.
+    /// The same style in bold.
     pub fn bold(self) -> Self {
         Self {
             is_bold: true,
@@ -158,7 +158,7 @@ impl TextStyle {
         }
     }
 
-    /// The same reading upwards.
+    /// The same style for vertical text.
     pub fn turned(self) -> Self {
         Self {
             is_turned: true,

@@ -1,4 +1,4 @@
-//! The width of text.
+//! Measures the width of text.
 
 use std::sync::OnceLock;
 
@@ -7,10 +7,10 @@ use ttf_parser::Face;
 /// Height of a line of text in units of its size.
 pub const LINE_HEIGHT: f64 = 1.3;
 
-/// The width of a text in a size, in the units of the drawing.
+/// The width of a text at a size, in the units of the drawing.
 ///
 /// It is measured with DejaVu Sans, which is as wide as Verdana and wider than Helvetica and Arial:
-/// text that fits with it fits with the fonts of any browser.
+/// text that fits in this font fits in the fonts of any browser.
 pub fn text_width(text: &str, size: f64, is_bold: bool) -> f64 {
     let Some(face) = face(is_bold) else {
         return size * text.chars().count() as f64;

@@ -1,8 +1,8 @@
 //! A sheet of dots, two by four in each character: the braille patterns of Unicode.
 
-/// Dots in a character from left to right.
+/// Number of dots in a character from left to right.
 pub(super) const ACROSS: usize = 2;
-/// Dots in a character from top to bottom.
+/// Number of dots in a character from top to bottom.
 pub(super) const DOWN: usize = 4;
 
 /// The bit of each dot in a pattern, by row (The Unicode Standard, "Braille Patterns").
@@ -37,15 +37,15 @@ impl Canvas {
         }
     }
 
-    /// Sets the dots of a row between two places, both included.
+    /// Sets the dots of a row between two positions, both included.
     pub(super) fn across(&mut self, from: usize, to: usize, y: usize) {
         for x in from.min(to)..=from.max(to) {
             self.dot(x, y);
         }
     }
 
-    /// Sets the dots of a straight line between two places (right, down), those whose number along
-    /// the line is wanted; gives the number after the last.
+    /// Sets the dots of a straight line between two positions (right, down) that the style selects
+    /// by their number along the line; returns the number after the last.
     pub(super) fn line(
         &mut self,
         [from, to]: [(usize, usize); 2],
@@ -63,7 +63,7 @@ impl Canvas {
         first + steps
     }
 
-    /// The lines of characters, spaces where nothing is drawn.
+    /// The lines of characters, with spaces where nothing is drawn.
     pub(super) fn lines(&self) -> impl Iterator<Item = String> {
         let character = |pattern: &u8| match pattern {
             0 => ' ',
@@ -91,8 +91,8 @@ mod tests {
         assert_eq!(lines, ["\u{2881}\u{2824}"]);
     }
 
-    /// From the upper left dot to the lower right one of a character, every second dot: dots 1 and,
-    /// two rows down, 6 of U+2800.
+    /// Every second dot from the upper left to the lower right dot of a character: dot 1 and, two
+    /// rows below, dot 6 of U+2800.
     #[test]
     fn lines_have_the_dots_that_are_wanted() {
         let mut canvas = Canvas::new(1, 1);

@@ -1,4 +1,4 @@
-//! A diagram of lines in braille dots: y on a logarithmic axis upwards, x to the right, the name of
+//! A line diagram in braille dots: y on a logarithmic axis upwards, x to the right, the name of
 //! each line beside its end.
 
 use super::canvas::{ACROSS, Canvas, DOWN};
@@ -7,16 +7,16 @@ use crate::wording::counted;
 
 /// The approximate number of rows, independent of the powers of ten.
 const ROWS: usize = 16;
-/// The largest number of columns of the field: wider ones show nothing more.
+/// The largest number of columns of the field; more columns show no more details.
 const WIDEST: usize = 72;
-/// Narrower fields are not drawn; before that the names of the lines are left out.
+/// Narrower fields are not drawn; before this limit the names of the lines are omitted.
 const NARROWEST: usize = 20;
-/// Characters left of the field: a power of ten and the axis.
+/// Number of characters left of the field: a power of ten and the axis.
 const AXIS: usize = 8;
-/// Characters of a sample of a line with the spaces around it.
+/// Number of characters of the sample of a line with the spaces around it.
 const SAMPLE: usize = 6;
 
-/// Whether a line has the dot of this number along it.
+/// Whether a line has the dot with this number along it.
 type Style = fn(usize) -> bool;
 
 /// The dash patterns of the lines, used in turn, with a sample of each.
@@ -33,7 +33,7 @@ pub(super) struct Series {
     pub(super) mark: char,
     /// Its name.
     pub(super) name: String,
-    /// x rising, and y, all positive.
+    /// x in increasing order, and y, all positive.
     pub(super) points: Vec<(f64, f64)>,
 }
 
@@ -42,7 +42,7 @@ pub(super) struct Series {
 pub(super) struct XAxis {
     /// Its name.
     pub(super) name: &'static str,
-    /// Whether it is logarithmic too.
+    /// Whether it is logarithmic, as the y axis is.
     pub(super) is_logarithmic: bool,
 }
 
@@ -52,7 +52,7 @@ impl XAxis {
     }
 }
 
-/// Where values are on the sheet of dots.
+/// The positions of values on the sheet of dots.
 struct Places<'a> {
     x_axis: &'a XAxis,
     /// The scaled values at both ends of x.
@@ -90,7 +90,7 @@ impl<'a> Places<'a> {
         count * self.rows_a_decade + 1
     }
 
-    /// From the left, in dots.
+    /// The horizontal position in dots from the left.
     fn across(&self, x: f64) -> usize {
         let [low, high] = self.x;
         let share = match high - low {
@@ -101,7 +101,7 @@ impl<'a> Places<'a> {
         1 + (share * (self.columns * ACROSS - 3) as f64).round() as usize
     }
 
-    /// From the top, in dots; a power of ten is in the middle of its row.
+    /// The vertical position in dots from the top; a power of ten is in the middle of its row.
     fn down(&self, y: f64) -> usize {
         let below = (f64::from(self.decades[0]) - y.log10()).max(0.0);
         1 + (below * (self.rows_a_decade * DOWN) as f64).round() as usize
@@ -164,7 +164,7 @@ pub(super) fn chart(series: &[Series], x_axis: &XAxis, width: usize) -> String {
     text
 }
 
-/// A line between neighbouring points, and each point as a cross.
+/// Draws a line between neighbouring points, and each point as a cross.
 fn draw(canvas: &mut Canvas, places: &Places<'_>, series: &Series, style: Style) {
     let points: Vec<(usize, usize)> = series.points.iter().map(|p| places.at(*p)).collect();
     let mut step = 0;
@@ -178,7 +178,7 @@ fn draw(canvas: &mut Canvas, places: &Places<'_>, series: &Series, style: Style)
     }
 }
 
-/// The labels to the right of each row: the lines by their ends, moved apart.
+/// The labels to the right of each row: the names of the lines near their ends, moved apart.
 fn labels_of_rows(series: &[Series], places: &Places<'_>, has_names: bool) -> Vec<String> {
     let row = |series: &Series| {
         let last = series.points.last().map_or(0, |point| places.down(point.1));
@@ -197,7 +197,7 @@ fn labels_of_rows(series: &[Series], places: &Places<'_>, has_names: bool) -> Ve
     labels
 }
 
-/// The numbers of x below their points, as many as there is room for, and the name of the axis.
+/// The numbers of x below their points, as many as fit, and the name of the axis.
 fn numbers(series: &[Series], places: &Places<'_>) -> String {
     let values = series.iter().flat_map(|series| &series.points);
     let mut values: Vec<f64> = values.map(|point| point.0).collect();
@@ -232,7 +232,7 @@ mod tests {
         }
     }
 
-    /// Two powers of ten have eight rows each; the field is 72 wide, its left edge after 8
+    /// Two powers of ten have eight rows each; the field has 72 columns, its left edge is after 8
     /// characters.
     #[test]
     fn points_stand_where_they_belong() {
@@ -258,7 +258,7 @@ mod tests {
         assert!(text.ends_with("100  segments\n"), "{text}");
     }
 
-    /// Lines that end together have labels in rows of their own, and styles by turns.
+    /// Lines that end at the same point have labels in separate rows, and alternating styles.
     #[test]
     fn labels_are_apart() {
         let all = ['1', '2', '3', '4'].map(|mark| series(mark, &[(1.0, 1e-2), (2.0, 1e-3)]));
@@ -285,7 +285,8 @@ mod tests {
         assert_eq!(chart(&[series('1', &[])], &N, 100), "");
     }
 
-    /// 16 powers of ten have one row each, 17 rows; of 20 lines three are counted only.
+    /// 16 powers of ten have one row each, 17 rows; of 20 lines three have no label and are only
+    /// counted.
     #[test]
     fn more_lines_than_rows_are_counted() {
         let all = [(); 20].map(|()| series('*', &[(1.0, 1.0), (2.0, 1e-16)]));

@@ -4,29 +4,29 @@
 use super::canvas::{ACROSS, Canvas, DOWN};
 use crate::svg::number;
 
-/// Characters across a diagram.
+/// Number of characters of the width of a diagram.
 const COLUMNS: usize = 16;
-/// Characters from its top to its bottom; odd, so that there is one in the middle.
+/// Number of characters of its height; odd, so that one is in the middle.
 const ROWS: usize = 13;
-/// Characters between two of them.
+/// Number of characters between two diagrams.
 const GAP: usize = 2;
-/// Dots from the undeformed axis to a value of 1.
+/// Number of dots from the undeformed axis to a value of 1.
 const REACH: usize = COLUMNS * ACROSS / 2 - 1;
-/// Dots from the top to the bottom.
+/// Number of dots from the top to the bottom.
 const DOTS: usize = ROWS * DOWN;
-/// Narrower terminals show no diagrams.
+/// Terminals with fewer columns show no diagrams.
 const NARROWEST: usize = 30;
 
-/// How a curve is drawn.
+/// The style of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Line {
-    /// Without a gap.
+    /// A solid line.
     Whole,
-    /// In single dots.
+    /// Single dots.
     Dots,
 }
 
-/// A value over a height: places (m, rising) and values from −1 to 1.
+/// A value over a height: heights (m, in increasing order) and values from −1 to 1.
 #[derive(Debug, Clone)]
 pub(super) struct Curve {
     pub(super) points: Vec<(f64, f64)>,
@@ -57,7 +57,7 @@ pub(super) fn side_by_side(panels: &[Panel], [low_m, high_m]: [f64; 2], width: u
     rows.join("\n")
 }
 
-/// The lines of the axis on the left, all of one width: numbers at the top, in the middle and at
+/// The lines of the axis on the left, all of equal width: numbers at the top, in the middle and at
 /// the bottom.
 fn axis([low_m, high_m]: [f64; 2]) -> Vec<String> {
     let step = (0.01 * (high_m - low_m)).min(0.1);
@@ -136,7 +136,7 @@ fn drawn(curves: &[Curve], [low_m, high_m]: [f64; 2]) -> Vec<String> {
     canvas.lines().collect()
 }
 
-/// Dots in every row, as many as connect the rows.
+/// Draws the dots of every row, as many as are needed to connect the rows.
 fn draw_whole(canvas: &mut Canvas, at: impl Fn(usize) -> usize) {
     canvas.dot(at(0), 0);
     for y in 1..DOTS {
@@ -149,7 +149,7 @@ fn draw_whole(canvas: &mut Canvas, at: impl Fn(usize) -> usize) {
     }
 }
 
-/// The value at a place by straight lines between points.
+/// The value at a height, by linear interpolation.
 fn value_at(points: &[(f64, f64)], place_m: f64) -> f64 {
     let after = points.partition_point(|(at_m, _)| *at_m < place_m);
     match (points.get(after.wrapping_sub(1)), points.get(after)) {

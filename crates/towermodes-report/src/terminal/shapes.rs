@@ -10,8 +10,8 @@ use crate::figures::shapes::Part;
 use crate::number::four_digits;
 
 impl Curve {
-    /// A rotation normalised to its largest value, because a deflection of 1 gives it no scale.
-    /// Deflections are unchanged.
+    /// A rotation normalised to its largest value, because a shape normalised by a deflection gives
+    /// it no scale. Deflections are unchanged.
     fn with_scale_of(mut self, part: Part) -> Self {
         let sizes = self.points.iter().map(|(_, value)| value.abs());
         let largest = sizes.fold(0.0, f64::max);
@@ -28,7 +28,7 @@ impl Curve {
 /// upwards, and to the right the fore-aft or side-side deflection, the rotation of torsion modes,
 /// or the axial motion, each normalised to its maximum. Coupled modes show the two motions with the
 /// most energy, one as a line and one as dots. Equal modes of two equal planes are drawn once.
-/// Empty if not even one shape fits.
+/// Empty if no shape fits.
 pub fn shapes(tower: &Tower, solution: &Solution, width: usize) -> String {
     let panels: Vec<Panel> = drawn_once(tower, solution)
         .into_iter()
@@ -46,7 +46,7 @@ pub fn blade_shapes(blade: &Blade, solution: &BladeSolution, width: usize) -> St
     side_by_side(&panels, radii_m, width)
 }
 
-/// The modes, each with its equal mode in the other of two equal planes.
+/// The modes, each with the equal mode in the other plane if both planes are equal.
 fn drawn_once<'a>(tower: &Tower, solution: &'a Solution) -> Vec<(&'a Mode, Option<&'a Mode>)> {
     let mut drawn: Vec<(&Mode, Option<&Mode>)> = Vec::new();
     for mode in &solution.modes {
@@ -145,7 +145,8 @@ fn blade_panel(mode: &BladeMode) -> Panel {
     }
 }
 
-/// A component over the heights of points in any order; of equal heights one counts.
+/// A component over the heights of points in any order; of points at equal heights only one is
+/// used.
 fn curve<'a>(points: impl Iterator<Item = &'a ShapePoint>, part: Part, line: Line) -> Curve {
     let mut points: Vec<(f64, f64)> = points
         .map(|point| (point.height_m, part.of(point)))

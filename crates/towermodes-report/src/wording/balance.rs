@@ -1,12 +1,12 @@
-//! The static balance of a floating tower in words.
+//! The static balance of a floating tower as text.
 
 use towermodes::number::digits;
 use towermodes::{EquilibriumPose, StaticBalance};
 
-/// Displacements (m) and rotations (degrees) smaller than this are not named.
+/// Displacements (m) and rotations (degrees) smaller than this are omitted.
 const NAMED: f64 = 5e-3;
 
-/// Weights, buoyancy, lines, what they leave, and where they are in balance.
+/// Weights, buoyancy, lines, the residual, and the position in equilibrium.
 pub fn static_balance(balance: &StaticBalance) -> String {
     let force = |value_n: f64| format!("{} MN", digits(value_n / 1e6, 5));
     let equilibrium = match &balance.equilibrium {
@@ -27,7 +27,7 @@ pub fn static_balance(balance: &StaticBalance) -> String {
     )
 }
 
-/// A pose by its motions that are not almost zero.
+/// A pose, as its motions that are not nearly zero.
 fn place(pose: &EquilibriumPose) -> String {
     let motions = [
         ("surge", pose.surge_m, "m"),

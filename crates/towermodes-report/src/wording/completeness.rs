@@ -1,4 +1,4 @@
-//! The certificate in words: an eigenvalue count proves that no mode is missing.
+//! The certificate as text: an eigenvalue count proves that no mode is missing.
 
 use towermodes::Certificate;
 use towermodes::number::{digits, four_digits};
@@ -8,7 +8,7 @@ use super::text::counted;
 /// The certificate in one line, for a list of `listed` modes: "complete: exactly 8 modes below
 /// 8.323 Hz".
 ///
-/// A list may end between two modes of equal frequency; then the line states it.
+/// A list may end between two modes of equal frequency; then the text states this.
 pub fn completeness(certificate: &Certificate, listed: usize) -> String {
     let except = match certificate.count > listed {
         true => " except for the other mode of the last pair",
@@ -24,8 +24,8 @@ pub fn completeness(certificate: &Certificate, listed: usize) -> String {
     }
 }
 
-/// "outside 0.1639 to 0.1767 Hz", the interval that added mass by frequency leaves uncertain, with
-/// as many digits as its ends need.
+/// "outside 0.1639 to 0.1767 Hz", the interval that remains uncertain because of
+/// frequency-dependent added mass, with as many digits as its ends need.
 fn outside([from_hz, to_hz]: [f64; 2]) -> String {
     let shown = |count| [from_hz, to_hz].map(|end_hz| digits(end_hz, count));
     let mut ends = (4..16).map(shown);
@@ -33,7 +33,7 @@ fn outside([from_hz, to_hz]: [f64; 2]) -> String {
     format!("outside {from} to {to} Hz")
 }
 
-/// The certificate as a report explains it: the theorem, the count, and the conclusion.
+/// The certificate with the explanation for a report: the theorem, the count, and the conclusion.
 pub fn proof_of_completeness(certificate: &Certificate, listed: usize) -> String {
     let count = match certificate.count {
         1 => "1 natural frequency".to_owned(),

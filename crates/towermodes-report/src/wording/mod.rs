@@ -1,6 +1,6 @@
 //! Words and sentences that occur in several outputs: tables on a terminal, reports, pictures.
 //!
-//! Each sentence is written once, so that all surfaces use the same words for the same result.
+//! Each sentence is written once, so that all outputs use the same text for the same result.
 
 mod balance;
 mod completeness;

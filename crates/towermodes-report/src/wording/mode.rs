@@ -1,19 +1,19 @@
-//! The shape of a mode in words.
+//! The shape of a mode as text.
 
 use towermodes::modes::Shares;
 use towermodes::{BladeFamily, BladeMode, Family, Mode};
 
-/// Smaller fractions of the energy of a blade mode are left out.
+/// Smaller fractions of the energy of a blade mode are omitted.
 const LEAST: f64 = 0.01;
-/// A mode with a smaller share in its own family has a remark.
+/// A mode with a smaller share in its own type of motion gets a remark.
 const PURE: f64 = 0.9;
-/// Families with a smaller share are not in the remark.
+/// Types of motion with a smaller share are not in the remark.
 const NOTABLE: f64 = 0.05;
 
-/// The label of a tower mode; where less than 90 % of its energy is in its own family, with this
-/// share and those of other families that have 5 % or more: "2nd side-side bending (88 %; 12 %
-/// torsion)". With less than 60 % in its motion it is called coupled: "2nd side-side bending,
-/// coupled (58 %; 41 % fore-aft)".
+/// The label of a tower mode; if less than 90 % of its energy is in its own type of motion, with
+/// this share and the shares of other types that have 5 % or more: "2nd side-side bending (88 %; 12
+/// % torsion)". With less than 60 % it is called coupled: "2nd side-side bending, coupled (58 %; 41
+/// % fore-aft)".
 pub fn mode_shape(mode: &Mode) -> String {
     if mode.share() >= PURE {
         return mode.label();
@@ -38,8 +38,8 @@ fn with_shares(label: &str, family: Family, shares: &Shares) -> String {
     )
 }
 
-/// The label of a mode with less than 60 % of its energy in the motion of its name, with the
-/// shares: "2nd side-side bending (58 %; 41 % fore-aft)"; none for any other mode.
+/// The label of a mode with less than 60 % of its energy in the type of motion that its name
+/// states, with the shares: "2nd side-side bending (58 %; 41 % fore-aft)"; none for any other mode.
 pub fn coupled_shape(label: &str, family: Family, shares: &Shares) -> Option<String> {
     shares
         .is_coupled(family)

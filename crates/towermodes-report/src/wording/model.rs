@@ -1,4 +1,4 @@
-//! The computed model in words: method, mesh, buckling load factor.
+//! The computed model as text: method, mesh, buckling load factor.
 
 use towermodes::frame::FrameFoundation;
 use towermodes::number::four_digits;
@@ -13,8 +13,9 @@ pub fn mesh(method: Method, segments: usize, degree: Option<usize>) -> String {
     counted(segments, method.unit()) + &degree.unwrap_or_default()
 }
 
-/// What [`Tower::structure_mass_kg`](towermodes::Tower::structure_mass_kg) is the mass of, for a
-/// tower on a substructure or on none.
+/// The text that names the structure of
+/// [`Tower::structure_mass_kg`](towermodes::Tower::structure_mass_kg), for a tower with or without
+/// a substructure.
 pub fn structure_mass(substructure: Option<&FrameFoundation>) -> &'static str {
     match substructure {
         Some(_) => "mass of tower and substructure",
@@ -61,7 +62,7 @@ fn range(numbers: impl Iterator<Item = usize> + Clone) -> String {
     }
 }
 
-/// The factor on gravity at which the tower buckles: four digits, and near 1 six decimals.
+/// The buckling load factor: four digits, and six decimals near 1.
 pub fn buckling_load_factor(factor: f64) -> String {
     if factor < 1.01 {
         format!("{factor:.6}")

@@ -2,7 +2,7 @@
 
 use towermodes::{EigenError, Family, SolveError};
 
-/// A suggestion so that a tower can be solved, for errors that have one.
+/// A suggestion how the tower can be solved, for errors that have one.
 pub fn remedy(error: &SolveError) -> Option<&'static str> {
     match error {
         SolveError::TooManyModes { .. } => {
@@ -12,7 +12,7 @@ pub fn remedy(error: &SolveError) -> Option<&'static str> {
             Some("reduce --modes or --segments, or use --no-limits")
         }
         SolveError::Buckles { .. } => Some(
-            "reduce the mass, increase the diameter or the wall thickness (of a substructure check supports, sections and marine growth), or use --no-gravity to omit gravity",
+            "reduce the mass, increase the diameter or the wall thickness (for a substructure check supports, sections and marine growth), or use --no-gravity to omit gravity",
         ),
         SolveError::Eigen(EigenError::TooStiff) => Some(
             "check the units: foundation, soil, guy wires and members are not a million times stiffer than the tower",

@@ -1,4 +1,4 @@
-//! The rotor and the verdicts on its excitations in words.
+//! The rotor and the verdicts on its excitations as text.
 
 use towermodes::Rotor;
 use towermodes::tower::Rpm;
@@ -49,7 +49,7 @@ pub fn verdict_word(verdict: Verdict) -> &'static str {
     }
 }
 
-/// How many pairs of a mode and an excitation pass, warn and fail, in this order.
+/// The numbers of pairs of a mode and an excitation that pass, warn and fail, in this order.
 pub fn verdict_counts(campbell: &Campbell) -> [usize; 3] {
     let count = |verdict| {
         let margins = campbell.margins.iter();

@@ -11,7 +11,7 @@ pub fn counted<N: Copy + Display + PartialEq + From<u8>>(count: N, noun: &str) -
     format!("{count} {noun}{plural}")
 }
 
-/// A list in words: "a", "a and b", "a, b and c".
+/// A list as text: "a", "a and b", "a, b and c".
 pub fn listed(items: &[String]) -> String {
     match items {
         [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
@@ -20,7 +20,7 @@ pub fn listed(items: &[String]) -> String {
 }
 
 /// A message as a sentence of a document: its first word with a capital unless it is a name (of a
-/// file, of a value), without the marks of code.
+/// file, of a value), without code marks.
 pub fn sentence(message: &str) -> String {
     let message = match message.matches('`').count() % 2 {
         0 => message.replace('`', ""),
@@ -36,9 +36,9 @@ pub fn sentence(message: &str) -> String {
 }
 
 /// A text in which `replacement` replaces every control character, every mark that changes the
-/// writing direction, and both noncharacters U+FFFE and U+FFFF. Line feeds and tabs stay.
+/// writing direction, and the two noncharacters U+FFFE and U+FFFF. Line feeds and tabs remain.
 ///
-/// Names come from files: without this they could hide or forge what a terminal or a page shows.
+/// Names come from files: without this they could hide or forge the output on a terminal or a page.
 pub fn printable(text: &str, replacement: char) -> Cow<'_, str> {
     if !text.contains(disturbs) {
         return Cow::Borrowed(text);

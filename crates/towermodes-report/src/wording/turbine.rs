@@ -1,4 +1,4 @@
-//! The proof of a coupled Campbell diagram and the effects that it does not include, in words.
+//! The proof of a coupled Campbell diagram and the effects that it does not include, as text.
 
 use towermodes::number::four_digits;
 use towermodes::tower::Rpm;
@@ -13,10 +13,9 @@ const NAMED: usize = 4;
 pub const STRUCTURE_ONLY: &str =
     "Structure only: no aerodynamics, no controller, constant rotor speed.";
 
-/// The certificate of a coupled diagram in a sentence: "At each of 31 rotor speeds (0 to
-/// 14.52 rpm) an eigenvalue count proves that no mode below 2.880 Hz is missing and that no mode is
-/// unstable." Or the speeds at
-/// which they do not.
+/// The certificate of a coupled diagram in a sentence: "At each of 31 rotor speeds (0 to 14.52 rpm)
+/// an eigenvalue count proves that no mode below 2.880 Hz is missing and that no mode is unstable."
+/// Otherwise the speeds without such a proof.
 pub fn proved(coupled: &CoupledCampbell) -> String {
     let limit = four_digits(coupled.limit_hz);
     let rpm = |speed: Option<f64>| Rpm(speed.unwrap_or_default()).to_string();

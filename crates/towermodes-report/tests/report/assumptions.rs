@@ -289,7 +289,7 @@ fn afloat() -> Vec<Row> {
     vec![
         row("floating with gravity", with(9.81))
             .says("Gravity is included as linear geometric stiffness, g = 9.81")
-            .says("it determines roll and pitch")
+            .says("gravity determines roll and pitch")
             .says("with constant added mass, hydrostatic stiffness, linear moorings")
             .says("no water along the tower")
             .omits("no water, & lowers the bending frequencies & has no constant"),

@@ -1,4 +1,4 @@
-//! Derivatives at the means, and what follows from them.
+//! Derivatives at the mean values, and the scatter computed from them.
 
 use towermodes::{Change, ModeName, Operation, Sensitivities, Solver, TowerDescription};
 use towermodes_files::{Sampling, SamplingKind};
@@ -11,14 +11,15 @@ use crate::summary::MarginCheck;
 use crate::sweep::Sweep;
 
 impl Sweep {
-    /// The scatter of each frequency to first order in the distributions of what varies: mean,
-    /// standard deviation, the share of each input, and the probability that a resonance margin is
-    /// violated. It takes one solve with derivatives, and two solves for each input to see how good
-    /// the first order is. An observer of the solver sees every solve; its options are those of the
-    /// sweep.
+    /// The scatter of each frequency, to first order, due to the distributions of the varied
+    /// inputs: mean, standard deviation, the share of each input, and the probability that a
+    /// resonance margin is violated. It takes one solve with derivatives, and two solves per input
+    /// to estimate the accuracy of the first order. An observer of the solver is called for every
+    /// solve; the options are those of the sweep.
     ///
     /// # Errors
-    /// [`FirstOrderError`]. A single mode without a derivative is no error but has the reason.
+    /// [`FirstOrderError`]. If only a single mode has no derivative, its result contains the
+    /// reason.
     pub fn first_order(
         &self,
         sampling: &Sampling,
@@ -60,8 +61,8 @@ impl Sweep {
         })
     }
 
-    /// Refuses changes whose derivatives at the means are not those of a tower: numbers that are
-    /// set and multiplied, or multiplied and added to; factors whose mean is 0.
+    /// Refuses changes whose derivatives at the means are not those of a tower: input values that
+    /// are both set and multiplied, or multiplied and added to; factors whose mean is 0.
     fn check_changes(&self, sampling: &Sampling, joint: &Joint) -> Result<(), FirstOrderError> {
         let changes = self.changes();
         let names = changes.iter().map(Change::name);
@@ -88,7 +89,7 @@ impl Sweep {
         Ok(())
     }
 
-    /// The row at the means.
+    /// The frequencies of the row with the mean values.
     fn at(&self, means: &[f64], solver: &mut RowSolver<'_>) -> Result<Row, FirstOrderError> {
         let row = Row::solved(solver, means, self.modes().len());
         match (row.frequency_hz.iter().all(|hz| hz.is_nan()), &row.sentence) {
@@ -100,7 +101,7 @@ impl Sweep {
         }
     }
 
-    /// The derivatives at the means, with as many modes as the named ones needed there.
+    /// The derivatives at the means, with as many modes as the requested names need there.
     fn derivatives(
         &self,
         means: &[f64],
@@ -113,8 +114,8 @@ impl Sweep {
         Ok(solver.sensitivities(&description, self.changes())?)
     }
 
-    /// ½ tr(H C) of each mode by differences along the independent directions; NaN where a tower
-    /// has no solution.
+    /// ½ tr(H C) of each mode, by differences along the independent directions; NaN if a tower
+    /// cannot be solved.
     fn mean_shifts_hz(
         &self,
         means: &[f64],
@@ -218,14 +219,14 @@ impl Row {
     }
 }
 
-/// The place of a mode in a list of derivatives.
+/// The index of a mode in a list of derivatives.
 fn place(found: &Sensitivities, name: &ModeName) -> Option<usize> {
     let mut modes = found.modes.iter();
     modes.position(|mode| (mode.family, mode.order) == (name.family, name.order))
 }
 
-/// The derivative with respect to the value of a change, from that on the tower at the means, whose
-/// factors are 1.
+/// The derivative with respect to the value of a change, from the derivative on the tower at the
+/// means, where all factors are 1.
 fn per_value(change: &Change, hz_per_unit: f64, mean: f64) -> f64 {
     match change.operation() {
         Operation::Scale => hz_per_unit / mean,

@@ -1,5 +1,5 @@
-//! The scatter of frequencies to first order in what varies: from derivatives at the means of the
-//! distributions, without rows.
+//! The scatter of frequencies to first order: from derivatives at the means of the distributions,
+//! without solving rows.
 
 mod compute;
 mod normal;
@@ -49,30 +49,32 @@ pub struct ModeScatter {
 pub struct Scatter {
     /// The extrapolated frequency at the means of the inputs, Hz.
     pub mean_hz: f64,
-    /// Its error without extrapolation, Hz.
+    /// The error of the frequency without extrapolation, Hz.
     pub error_hz: f64,
     /// Standard deviation, Hz.
     pub deviation_hz: f64,
-    /// By how much the curvature moves the mean, to second order, Hz: Σ ½ (f(μ + l) + f(μ − l)) −
-    /// f(μ) over the independent directions l of the inputs. None if such a tower has no solution.
+    /// The second-order shift of the mean due to curvature, Hz: Σ ½ (f(μ + l) + f(μ − l)) − f(μ)
+    /// over the independent directions l of the inputs. None if such a tower cannot be solved.
     pub mean_shift_hz: Option<f64>,
     /// The derivative with respect to each input, Hz per unit.
     pub hz_per_unit: Vec<f64>,
     /// The share of each input in the variance, gᵢ (C g)ᵢ/(gᵀ C g). The sum is 1. With correlations
-    /// a share may be negative: the input then makes up for others. Zeros without a variance.
+    /// a share may be negative, if the input partly cancels the effect of others. Zeros if the
+    /// variance is zero.
     pub shares: Vec<f64>,
-    /// For each multiple of the rotor speed of the check, the probability that the required
-    /// distance is violated, with a normal distribution of the frequency.
+    /// For each checked multiple of the rotor speed, the probability that the required distance is
+    /// violated, with a normal distribution of the frequency.
     pub violated: Vec<f64>,
 }
 
-/// A shift of the mean by curvature above this share of the standard deviation is too large for
-/// the first order: with one normal input the standard deviation is then 4 % too small.
+/// If the shift of the mean by curvature is larger than this share of the standard deviation, the
+/// first order is not accurate enough: with one normal input the standard deviation is then 4 % too
+/// small.
 const LARGEST_SHIFT: f64 = 0.2;
 
 impl FirstOrder {
-    /// For each mode whose mean the curvature moves by more than a fifth of its standard deviation,
-    /// a sentence that the first order is not to be trusted.
+    /// For each mode whose mean is shifted by curvature by more than a fifth of its standard
+    /// deviation, a sentence that the first order is not accurate.
     pub fn doubts(&self) -> Vec<String> {
         let doubt = |mode: &ModeScatter| {
             let scatter = mode.scatter.as_ref().ok()?;
@@ -107,7 +109,7 @@ fn percent(share: f64) -> String {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum NoScatter {
-    /// The tower at the means lacks the mode.
+    /// The tower at the means does not have the mode.
     #[error("the tower at the mean values has no such mode: {sentence}")]
     NoMode {
         /// The error of the tower, as a sentence.
@@ -118,7 +120,7 @@ pub enum NoScatter {
     NoDerivative {
         /// The change.
         change: String,
-        /// Why.
+        /// The reason.
         reason: NoDerivative,
     },
 }
@@ -130,15 +132,15 @@ pub enum FirstOrderError {
     /// A distribution or a correlation is impossible.
     #[error(transparent)]
     Sampling(#[from] SamplingError),
-    /// A grid, whose levels have no probabilities.
+    /// A grid: its levels have no probabilities.
     #[error(
         "a grid has levels without probabilities; use sampling = \"random\" with distributions"
     )]
     Grid,
-    /// The distributions are of other changes than those of the sweep.
+    /// The distributions belong to other changes than those of the sweep.
     #[error("the distributions are not those of the changes of the sweep")]
     OtherChanges,
-    /// The tower at the means is none, or is not solved.
+    /// The mean values describe no possible tower, or this tower cannot be solved.
     #[error("the tower at the mean values: {sentence}")]
     Means {
         /// The error, as a sentence.
@@ -147,7 +149,8 @@ pub enum FirstOrderError {
     /// The tower at the means has no derivatives.
     #[error("the tower at the mean values: {0}")]
     Sensitivity(#[from] SensitivityError),
-    /// A factor whose mean is 0, so its derivative is not that of the numbers.
+    /// A factor whose mean is 0: its derivative does not follow from the derivatives of the input
+    /// values.
     #[error(
         "`{change}` has the mean 0, where a factor has no derivative; vary the input value itself, or use add(…)"
     )]
@@ -155,14 +158,14 @@ pub enum FirstOrderError {
         /// The change.
         change: String,
     },
-    /// Two changes of different kinds have a number in common.
+    /// Two changes of different kinds change the same input value.
     #[error(
         "`{first}` and `{second}` change the same input value in different ways, so they have no separate derivatives; solve the rows of the sweep"
     )]
     Overlap {
-        /// The first.
+        /// The first change.
         first: String,
-        /// The second.
+        /// The second change.
         second: String,
     },
 }

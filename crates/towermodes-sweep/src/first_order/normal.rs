@@ -19,7 +19,7 @@ pub(super) fn inside([low_hz, high_hz]: [f64; 2], mean_hz: f64, deviation_hz: f6
 mod tests {
     use super::inside;
 
-    /// Φ(1) − Φ(−1), Φ(−9) − Φ(−10) and their mirror images.
+    /// Φ(1) − Φ(−1), Φ(−9) − Φ(−10) and Φ(10) − Φ(9).
     #[test]
     fn probabilities_are_those_of_the_normal_distribution() {
         assert!((inside([0.9, 1.1], 1.0, 0.1) - 0.682_689_492_137_086).abs() < 1e-13);

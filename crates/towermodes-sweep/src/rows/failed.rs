@@ -2,15 +2,16 @@
 
 use std::collections::TryReserveError;
 
-/// The numbers of rows that failed or lack a mode, and the sentence of each, by rising rows.
+/// The numbers of rows that failed or lack a mode, and the message of each, by increasing row
+/// number.
 ///
-/// The sentences are one text: ten million sentences of their own would need the memory twice, and
-/// memory that is asked for here and not available is an error, where that of each sentence ends
-/// the process.
+/// The messages are stored as one text: ten million separate strings would need twice the memory,
+/// and if the memory for one text is not available, this is an error, whereas a failed allocation
+/// of a string ends the process.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct FailedRows {
     rows: Vec<u64>,
-    /// End of the sentence of each row in the text of all; it begins at the end of the one before.
+    /// End of the message of each row in this text; it begins at the end of the previous message.
     ends: Vec<u64>,
     text: String,
 }
@@ -26,7 +27,7 @@ impl FailedRows {
         self.rows.is_empty()
     }
 
-    /// The number of a row, from 0, and its sentence, by its place in this list.
+    /// The number of a row, from 0, and its message, by the index in this list.
     pub fn get(&self, place: usize) -> Option<(u64, &str)> {
         let row = *self.rows.get(place)?;
         let begin = place.checked_sub(1).map_or(0, |last| self.ends[last]);
@@ -34,18 +35,18 @@ impl FailedRows {
         Some((row, sentence))
     }
 
-    /// The number of each row, from 0, and its sentence.
+    /// The number of each row, from 0, and its message.
     pub fn iter(&self) -> impl Iterator<Item = (u64, &str)> {
         (0..self.len()).filter_map(|place| self.get(place))
     }
 
-    /// The numbers of the rows, where the sentence of each ends in the text of all (in bytes), and
+    /// The numbers of the rows, the end of the message of each in the common text (in bytes), and
     /// this text in UTF-8.
     pub fn into_columns(self) -> (Vec<u64>, Vec<u64>, Vec<u8>) {
         (self.rows, self.ends, self.text.into_bytes())
     }
 
-    /// Adds a row that is above all others.
+    /// Adds a row whose number is larger than all numbers in the list.
     ///
     /// # Errors
     /// If the memory is not available.

@@ -1,4 +1,4 @@
-//! The rows of a sweep: each solved by itself, by several threads, and the results as columns.
+//! The rows of a sweep, solved independently by several threads, and the results as columns.
 
 pub(super) mod failed;
 pub(super) mod results;

@@ -10,7 +10,7 @@ use super::warned::RowRemarks;
 
 /// The results of successive rows of a sweep.
 ///
-/// A number that was not computed is NaN, and the sentence of its row says why.
+/// A value that was not computed is NaN, and the message of its row states the reason.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Results {
     /// The number of the first row, from 0.
@@ -21,21 +21,22 @@ pub struct Results {
     pub mass_kg: Vec<f64>,
     /// Whether the list of modes is proved to be complete; by row.
     pub certified: Vec<bool>,
-    /// Extrapolated frequencies, Hz; rows × modes, the modes of a row side by side.
+    /// Extrapolated frequencies, Hz; rows × modes, all modes of a row together.
     pub frequency_hz: Vec<f64>,
-    /// Errors of the frequencies before extrapolation, a cautious bound for those after it, Hz;
-    /// rows × modes.
+    /// Errors of the frequencies before extrapolation, which are conservative bounds of the errors
+    /// after it, Hz; rows × modes.
     pub error_hz: Vec<f64>,
-    /// The share of the family of each name in the energy of its mode: near 1 where the mode has
-    /// one motion, below 0.6 where modes share it, so that the name may go to another mode in the
-    /// next row; rows × modes.
+    /// The share of the energy of each mode in the type of motion that its name states: near 1 if
+    /// the mode has one type of motion, below 0.6 if several modes share it, so that the name may
+    /// belong to another mode in the next row; rows × modes.
     pub share: Vec<f64>,
     /// The failed rows and missing modes.
     pub failures: FailedRows,
-    /// Rows that were solved here with input that is probably a mistake; files do not have them.
+    /// Rows that were solved in this run with input that is probably a mistake; result files do not
+    /// contain this.
     pub warnings: RowRemarks,
-    /// Rows that were solved here in which modes share the motion of a name; files have the shares
-    /// only.
+    /// Rows that were solved in this run in which several modes share a motion; result files
+    /// contain only the shares.
     pub shared: RowRemarks,
 }
 
@@ -78,27 +79,28 @@ impl Results {
         self.mass_kg.len()
     }
 
-    /// The column of a mode: its place in [`modes`](Self::modes).
+    /// The column of a mode: its index in [`modes`](Self::modes).
     pub fn mode(&self, name: ModeName) -> Option<usize> {
         self.modes.iter().position(|other| *other == name)
     }
 
-    /// The frequencies of a mode, by its place in [`modes`](Self::modes), Hz.
+    /// The frequencies of a mode, by its index in [`modes`](Self::modes), Hz.
     pub fn frequencies_hz(&self, mode: usize) -> impl Iterator<Item = f64> {
         column(&self.frequency_hz, mode, self.modes.len())
     }
 
-    /// The errors of the frequencies of a mode, by its place in [`modes`](Self::modes), Hz.
+    /// The errors of the frequencies of a mode, by its index in [`modes`](Self::modes), Hz.
     pub fn errors_hz(&self, mode: usize) -> impl Iterator<Item = f64> {
         column(&self.error_hz, mode, self.modes.len())
     }
 
-    /// The shares of the family of a mode in its energy, by its place in [`modes`](Self::modes).
+    /// The shares of the energy of a mode in its type of motion, by its index in
+    /// [`modes`](Self::modes).
     pub fn shares(&self, mode: usize) -> impl Iterator<Item = f64> {
         column(&self.share, mode, self.modes.len())
     }
 
-    /// The sentence of each row, none for a row that is complete.
+    /// The message of each row; none for a complete row.
     pub fn sentences(&self) -> impl Iterator<Item = Option<&str>> {
         let mut failures = self.failures.iter().peekable();
         let rows = self.first_row..self.first_row + self.rows() as u64;
@@ -108,7 +110,7 @@ impl Results {
         })
     }
 
-    /// The cells of a row, by its place.
+    /// The cells of a row, by its index.
     pub(crate) fn cells(&mut self, row: usize) -> Cells<'_> {
         let modes = self.modes.len();
         let of_modes = row * modes..(row + 1) * modes;
@@ -121,7 +123,7 @@ impl Results {
         }
     }
 
-    /// Adds the rows that follow; remarks on rows are added by themselves.
+    /// Adds the following rows; remarks on rows are added separately.
     ///
     /// # Errors
     /// If the memory is not available.

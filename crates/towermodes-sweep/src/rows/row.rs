@@ -20,15 +20,15 @@ pub(crate) struct Cells<'a> {
     pub(crate) share: &'a mut [f64],
 }
 
-/// Solves rows one after the other in the same memory; one for each thread.
+/// Solves rows one after the other with the same memory; each thread has one.
 #[derive(Debug)]
 pub(crate) struct RowSolver<'a> {
     sweep: &'a Sweep,
     pub(crate) solver: Solver,
     lowest: Lowest,
-    /// Whether the input of the last row is unusual, and how.
+    /// The warning about the input of the last row, if there is one.
     warning: Option<Warning>,
-    /// The first name of the last row whose motion modes share.
+    /// The first name of the last row whose motion several modes share.
     shared: Option<ModeName>,
 }
 
@@ -37,7 +37,7 @@ impl<'a> RowSolver<'a> {
         Self::within(sweep, Solver::default())
     }
 
-    /// The same with a solver, whose observer sees every solve.
+    /// A row solver with this solver, whose observer is called for every solve.
     pub(crate) fn within(sweep: &'a Sweep, mut solver: Solver) -> Self {
         solver.options = sweep.options().clone();
         // The sweep has solved its base before; without a base, rows are solved alone.
@@ -53,8 +53,8 @@ impl<'a> RowSolver<'a> {
         }
     }
 
-    /// Solves the tower with the values of a row. Cells that have no value become NaN, and the
-    /// sentence says why.
+    /// Solves the tower with the values of a row. Cells without a value become NaN, and the
+    /// returned message states the reason.
     pub(crate) fn solve(&mut self, values: &[f64], cells: Cells<'_>) -> Option<String> {
         *cells.mass_kg = f64::NAN;
         *cells.certified = false;
@@ -91,7 +91,7 @@ impl<'a> RowSolver<'a> {
         }
     }
 
-    /// Adds the last row, if modes of it share their motions.
+    /// Adds the last row, if several of its modes share a motion.
     pub(crate) fn share(&mut self, row: u64, shared: &mut RowRemarks) {
         if let Some(name) = self.shared.take() {
             let sentence = || self.lowest.shared(name).map(|of| of.to_string());
@@ -111,10 +111,10 @@ impl<'a> RowSolver<'a> {
         Tower::new(description).map_err(|error| message(&error, self.sweep))
     }
 
-    /// Takes the frequencies by name.
+    /// Copies the frequencies into the cells, by name.
     ///
     /// # Errors
-    /// The sentence that names the modes that are not there.
+    /// The message with the names of the missing modes.
     fn take(&self, cells: &mut Cells<'_>) -> Result<(), String> {
         *cells.certified = self.lowest.certified;
         let mut missing = Vec::new();
@@ -144,8 +144,8 @@ impl<'a> RowSolver<'a> {
     }
 }
 
-/// The message on a tower that is none, with the numbers of the tower named as columns name them:
-/// indices count from 0.
+/// The message for an impossible tower, with input values named as in columns: indices count from
+/// 0.
 fn message(error: &TowerError, sweep: &Sweep) -> String {
     match name_at(error.place, sweep) {
         Some(name) => format!("{name}: {}", error.problem),
@@ -153,14 +153,14 @@ fn message(error: &TowerError, sweep: &Sweep) -> String {
     }
 }
 
-/// The name of the number at a place: a changed one, or another of the base.
+/// The name of the input value at a place: one that the sweep changes, otherwise one of the base.
 fn name_at(place: Place, sweep: &Sweep) -> Option<String> {
     let changed = sweep.changes().iter().flat_map(Change::parameters).copied();
     number_at(place, changed).or_else(|| number_at(place, Parameter::all(sweep.base()).into_iter()))
 }
 
-/// A warning that begins with the name of the number that it is about, whose indices count from 0.
-/// This name is in place of the words for the place, which count from 1.
+/// A warning that begins with the name of the input value that it is about, with indices from 0.
+/// This name replaces the description of the place, which counts from 1.
 pub fn named(warning: &Warning, name_at: impl FnOnce(Place) -> Option<String>) -> String {
     let said = warning.to_string();
     let Some(place) = warning.place() else {
@@ -175,7 +175,8 @@ pub fn named(warning: &Warning, name_at: impl FnOnce(Place) -> Option<String>) -
     }
 }
 
-/// The name of the number at a place; of several numbers the list entry that has them.
+/// The name of the input value at a place; if there are several, of the list entry that contains
+/// them.
 pub fn number_at(place: Place, parameters: impl Iterator<Item = Parameter>) -> Option<String> {
     let mut there = parameters.filter(|parameter| parameter.place() == place);
     let first = there.next()?.to_string();

@@ -9,10 +9,11 @@ use crate::sweep::Sweep;
 
 /// Solves all rows of a source. The results do not depend on the number of threads.
 ///
-/// With one thread, and for up to 64 rows, the calling thread does the work; otherwise it watches.
+/// With one thread, or with at most 64 rows, the calling thread solves the rows; otherwise it only
+/// calls the watch.
 ///
 /// # Errors
-/// [`RunError`]; a row that fails is a row of the results.
+/// [`RunError`]; a row that fails is not an error, but a row of the results.
 ///
 /// # Example
 /// ```

@@ -6,10 +6,10 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum RunError {
-    /// The [`Watch`](crate::Watch) ended it.
+    /// The [`Watch`](crate::Watch) stopped it.
     #[error("the sweep was stopped")]
     Stopped,
-    /// The rows have another number of values than the sweep has changes.
+    /// The number of values of a row differs from the number of changes of the sweep.
     #[error(
         "the rows have {values} values, but the sweep has {changes} changes; give one value for each change"
     )]
@@ -19,7 +19,7 @@ pub enum RunError {
         /// Number of changes.
         changes: usize,
     },
-    /// The results need more memory than there is.
+    /// The results need more memory than is available.
     #[error("the results of {rows} rows do not fit into memory; solve fewer rows at a time")]
     Memory {
         /// Number of rows.

@@ -1,8 +1,8 @@
 //! Rows solved by several threads, whose results are taken in the order of the rows.
 //!
-//! A thread takes a piece of rows, solves it and prepares its results; whoever has the next piece
-//! in the order gives it to the one who takes. At most [`AHEAD`] rows wait for an earlier piece, so
-//! any number of rows needs little memory.
+//! Each thread fetches a piece of rows, solves it and prepares its results; the thread that has the
+//! next piece in the order passes it to `take`. At most [`AHEAD`] rows wait for an earlier piece,
+//! so any number of rows needs little memory.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -17,13 +17,14 @@ use super::warned::RowRemarks;
 use crate::source::{RowSource, SourceBlock};
 use crate::sweep::Sweep;
 
-/// Rows that a thread takes at a time, some milliseconds of work; fewer are not worth a thread.
+/// Number of rows that a thread fetches at a time, some milliseconds of work; for fewer rows a
+/// further thread is not worthwhile.
 const PIECE_ROWS: u64 = 64;
-/// Rows whose values are read at a time.
+/// Number of rows whose values are read at a time.
 const BLOCK_ROWS: u64 = 16_384;
-/// Rows that may be solved before an earlier one.
+/// Number of rows that may be solved before an earlier row is finished.
 const AHEAD: u64 = 16_384;
-/// A thread that waits for an earlier piece looks this often whether the run has ended.
+/// A thread that waits for an earlier piece checks with this interval whether the run has ended.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(20);
 
 /// Remarks on the rows of a run.
@@ -31,12 +32,12 @@ const BETWEEN_LOOKS: Duration = Duration::from_millis(20);
 pub(crate) struct Remarks {
     /// Rows with input that is probably a mistake.
     pub(crate) warnings: RowRemarks,
-    /// Rows in which modes share the motion of a name.
+    /// Rows in which several modes share a motion.
     pub(crate) shared: RowRemarks,
 }
 
-/// Solves rows and gives their results, as prepared, to `take` in the order of the rows. What it
-/// takes does not depend on the number of threads.
+/// Solves rows and passes their prepared results to `take` in the order of the rows. What is passed
+/// does not depend on the number of threads.
 ///
 /// # Errors
 /// The first error of `block` or `take`, [`RunError::Stopped`] or [`RunError::Memory`].
@@ -82,21 +83,21 @@ pub(crate) fn stream<'a, P: Send, E: From<RunError> + Send>(
 /// Data shared by the threads.
 struct Run<'r, 'a, B, F, T, P, E> {
     sweep: &'r Sweep,
-    /// The row behind the last one.
+    /// The number after the last row.
     end: u64,
     block: B,
     prepare: F,
     queue: Mutex<Queue<'a>>,
     order: Mutex<Order<P>>,
-    /// Results were taken, or the run is over.
+    /// Signals that results were passed on, or that the run has ended.
     has_moved: Condvar,
     take: Mutex<T>,
-    /// The first problem; it ends the run.
+    /// The first error; it ends the run.
     problem: Mutex<Option<E>>,
     remarks: Mutex<Remarks>,
 }
 
-/// The rows that are not begun.
+/// The rows that no thread has begun.
 struct Queue<'a> {
     next: u64,
     /// The values of the next rows.
@@ -109,15 +110,15 @@ struct Share<'a> {
     rows: Range<u64>,
 }
 
-/// The results that are not taken.
+/// The results that are not yet passed on.
 struct Order<P> {
-    /// The first row that is not taken.
+    /// The first row that is not yet passed on.
     next: u64,
-    /// By the first row: the row behind the last one, and the results.
+    /// By the first row of a piece: the number after its last row, and the results.
     waiting: BTreeMap<u64, (u64, P)>,
-    /// Whether a thread is taking results.
+    /// Whether a thread is passing results on.
     is_taking: bool,
-    /// Whether nothing more is solved.
+    /// Whether the run has ended.
     is_over: bool,
 }
 
@@ -153,8 +154,7 @@ where
         Ok(())
     }
 
-    /// The next rows; none if there are no more or the run
-    /// is over.
+    /// The next rows; none if there are no more or the run has ended.
     fn next(&self) -> Result<Option<Share<'a>>, E> {
         let mut queue = lock(&self.queue);
         if queue.next == self.end || !self.may_begin(queue.next) {
@@ -176,7 +176,8 @@ where
         Ok(Some(Share { block, rows }))
     }
 
-    /// Waits until the row is not too far ahead of those that are taken; false if the run is over.
+    /// Waits until the row is within [`AHEAD`] rows of the next row to be passed on; false if the
+    /// run has ended.
     fn may_begin(&self, row: u64) -> bool {
         let mut order = lock(&self.order);
         while !order.is_over && row >= order.next + AHEAD {
@@ -186,7 +187,8 @@ where
         !order.is_over
     }
 
-    /// Puts results into the order, and takes all whose turn it is, unless another thread does.
+    /// Adds results, and passes on all that are next in the order, unless another thread is doing
+    /// this.
     fn put(&self, rows: Range<u64>, prepared: P) -> Result<(), E> {
         let mut order = lock(&self.order);
         order.waiting.insert(rows.start, (rows.end, prepared));
@@ -210,7 +212,7 @@ where
     }
 }
 
-/// A thread that has no more work: either nothing is left for any thread, or the run is over.
+/// On the end of a thread: wakes the others, because nothing is left to do or the run has ended.
 struct Over<'a, P>(&'a Mutex<Order<P>>, &'a Condvar);
 
 impl<P> Drop for Over<'_, P> {
@@ -226,7 +228,7 @@ struct Rows<'a> {
     sweep: &'a Sweep,
     solver: RowSolver<'a>,
     values: Vec<f64>,
-    /// On all rows that it has solved.
+    /// The remarks on all rows that it has solved.
     remarks: Remarks,
 }
 
@@ -240,7 +242,7 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// Solves rows of a block; none if the tick ended it.
+    /// Solves rows of a block; none if the tick stopped the work.
     fn solve(
         &mut self,
         block: &SourceBlock<'_>,

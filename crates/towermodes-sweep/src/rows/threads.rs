@@ -1,6 +1,7 @@
-//! Work in pieces, shared by threads and watched by the caller.
+//! Work in pieces, done by several threads while the caller is kept informed.
 //!
-//! The threads end with the work: there is no pool that a forked process could wait for.
+//! The threads end with the work: there is no thread pool, because after a fork a process would
+//! wait for it forever.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
@@ -8,24 +9,24 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::{self, Builder};
 use std::time::{Duration, Instant};
 
-/// The watcher is called at least this often, up to the time of one row.
+/// The watch is called at least with this interval, plus the time of one row.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(20);
 
-/// Called on the thread that runs a sweep about fifty times a second with the number of rows that
-/// are done; [`ControlFlow::Break`] ends the sweep.
+/// Called on the thread that runs a sweep about fifty times a second with the number of finished
+/// rows; [`ControlFlow::Break`] stops the sweep.
 pub type Watch<'a> = dyn FnMut(u64) -> ControlFlow<()> + 'a;
 
-/// Called after each row; false ends the work.
+/// Called after each row; false stops the work.
 pub(crate) type Tick<'a> = dyn FnMut() -> bool + 'a;
 
-/// The work was ended by the [`Watch`] before all of it was done.
+/// The [`Watch`] stopped the work before it was finished.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Ended;
 
-/// Runs `work` on a number of threads at once; with one thread on the calling one. Each takes its
-/// pieces by itself and returns when none is left, or when its tick is false.
+/// Runs `work` on several threads at once; with one thread on the calling thread. Each thread
+/// fetches pieces until none is left, or until its tick is false.
 ///
-/// If the system does not start as many threads, those that it has started do all the work.
+/// If the system does not start all threads, the started ones do all the work.
 pub(crate) fn shared(
     threads: usize,
     watch: &mut Watch<'_>,
@@ -86,12 +87,13 @@ fn on_threads(
     }
 }
 
-/// The last look sees all that was done, however fast it was; it cannot end work that is done.
+/// The last call of the watch reports all rows, however fast they were solved; it cannot stop
+/// finished work.
 fn last_look(watch: &mut Watch<'_>, done: u64) {
     let _ = watch(done);
 }
 
-/// A thread that leaves the work.
+/// On the end of a thread: decreases the number of working threads and wakes the caller.
 struct Leave<'a>(&'a AtomicUsize, &'a thread::Thread, &'a AtomicBool);
 
 impl Drop for Leave<'_> {
@@ -121,7 +123,7 @@ fn on_this_thread(watch: &mut Watch<'_>, work: impl Fn(&mut Tick<'_>)) -> Result
     ended
 }
 
-/// A lock; a thread that panicked while it had it left the list as it was.
+/// Locks a mutex; if a thread panicked while it had the lock, the list is still valid.
 pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -139,7 +141,7 @@ mod tests {
         move |tick| while taken.fetch_add(1, Ordering::Relaxed) < 1000 && tick() {}
     }
 
-    /// No system has 2⁶⁰ bytes for the stack of a thread.
+    /// No system can allocate 2⁶⁰ bytes for the stack of a thread.
     #[test]
     fn threads_that_do_not_start_are_not_waited_for() {
         for most in [0, 1, 3] {
@@ -158,7 +160,7 @@ mod tests {
         }
     }
 
-    /// A watch that ends the work when it sees the last row comes too late.
+    /// A watch that stops the work when it is called for the last row has no effect.
     #[test]
     fn finished_work_is_not_thrown_away() {
         for threads in [1, 4] {

@@ -1,14 +1,14 @@
 //! Remarks on rows.
 
-/// Number of rows whose sentences are kept.
+/// Number of rows whose messages are kept.
 const KEPT: usize = 5;
 
-/// Rows on which there is something to remark, and the first sentences.
+/// The number of rows with a remark, and the first remarks.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct RowRemarks {
     /// Number of such rows.
     pub rows: u64,
-    /// The first of them: the number of the row, from 0, and the first sentence on it.
+    /// The first such rows: the number of the row, from 0, and its first remark.
     pub first: Vec<(u64, String)>,
 }
 
@@ -21,7 +21,7 @@ impl RowRemarks {
         }
     }
 
-    /// Adds other rows. The rows that are kept do not depend on the order.
+    /// Adds other remarks. The rows that are kept do not depend on the order of the calls.
     pub(crate) fn append(&mut self, mut other: Self) {
         self.rows += other.rows;
         self.first.append(&mut other.first);

@@ -1,11 +1,13 @@
 //! The factor of Cholesky of a correlation matrix.
 
-/// Of a coefficient beside the others; rounding is smaller.
+/// Tolerance of a coefficient relative to the limits set by the others; rounding errors are
+/// smaller.
 const TOLERANCE: f64 = 1e-9;
-/// A smaller square of a pivot is rounding: the number follows from those before it.
+/// If the square of a pivot is smaller, it is a rounding error: the value is a linear combination
+/// of those before it.
 const LEAST_SQUARE: f64 = 1e-13;
 
-/// A coefficient that the coefficients before it exclude.
+/// A coefficient that is impossible with the coefficients before it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Excluded {
     /// Column and row, the smaller first.
@@ -14,8 +16,8 @@ pub(super) struct Excluded {
     pub(super) limits: [f64; 2],
 }
 
-/// The rows of L with R = L Lᵀ; row i has the columns 0 to i. `lower` has the coefficients of R:
-/// row i the columns 0 to i − 1. The matrix may be singular.
+/// The rows of L with R = L Lᵀ; row i has the columns 0 to i. `lower` contains the coefficients of
+/// R: row i has the columns 0 to i − 1. The matrix may be singular.
 pub(super) fn cholesky(lower: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, Excluded> {
     let mut factor: Vec<Vec<f64>> = Vec::with_capacity(lower.len());
     for (second, coefficients) in lower.iter().enumerate() {
@@ -67,7 +69,7 @@ mod tests {
         assert_eq!((excluded.pair, excluded.limits), ([1, 2], [-0.5, -0.5]));
     }
 
-    /// Just inside the limits of the refusal there is a factor.
+    /// Just inside the limits at which a coefficient is refused, the factor exists.
     #[test]
     fn the_limits_are_those_of_positive_definite_matrices() {
         let of = |last| cholesky(&[vec![], vec![0.9], vec![0.2, 0.3], vec![0.1, 0.2, last]]);

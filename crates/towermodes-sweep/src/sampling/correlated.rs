@@ -1,30 +1,30 @@
-//! Numbers that depend on each other: from independent normal scores to correlated values.
+//! Correlated input values: from independent normal scores to correlated values.
 
 use towermodes_files::{CorrelationError, Sampling, SamplingError};
 
 use super::cholesky::{Excluded, cholesky};
 
-/// The numbers that have correlations, and how their scores follow from independent ones: the rows
-/// of the Cholesky factor of the correlation matrix of the scores.
+/// The inputs that have correlations, and the linear relation of their scores to independent
+/// scores: the rows of the Cholesky factor of the correlation matrix of the scores.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Correlated {
-    /// The places of these numbers among all, rising.
+    /// The indices of these inputs among all inputs, in increasing order.
     places: Vec<usize>,
     /// The factor L with R = L Lᵀ: row i has the columns 0 to i.
     factor: Vec<Vec<f64>>,
 }
 
 impl Correlated {
-    /// The correlated numbers of a sampling, by the coefficients of their scores.
+    /// The correlated inputs of a sampling, with the coefficients of their scores.
     ///
     /// # Errors
-    /// [`SamplingError::Correlation`] for a coefficient that the other coefficients exclude.
+    /// [`SamplingError::Correlation`] for a coefficient that is impossible with the others.
     pub(super) fn new(sampling: &Sampling) -> Result<Self, SamplingError> {
         let given = sampling.correlations.iter().map(|pair| pair.coefficient);
         Self::with(sampling, &given.collect::<Vec<_>>())
     }
 
-    /// The same with other coefficients of the pairs.
+    /// As [`new`](Self::new), with other coefficients of the pairs.
     ///
     /// # Errors
     /// [`SamplingError::Correlation`] as of [`new`](Self::new).
@@ -45,12 +45,12 @@ impl Correlated {
         Ok(Self { places, factor })
     }
 
-    /// Whether a number, by its place among all, is correlated with another.
+    /// Whether an input, by its index among all inputs, is correlated with another.
     pub(super) fn has(&self, place: usize) -> bool {
         self.places.binary_search(&place).is_ok()
     }
 
-    /// Turns the independent scores at the places of these numbers into correlated ones.
+    /// Transforms the independent scores of these inputs into correlated ones.
     pub(super) fn correlate(&self, scores: &mut [f64]) {
         // A row needs the scores before it as they were.
         for (row, place) in self.factor.iter().zip(&self.places).rev() {
@@ -59,13 +59,13 @@ impl Correlated {
         }
     }
 
-    /// The places of these numbers among all.
+    /// The indices of these inputs among all inputs.
     pub(super) fn places(&self) -> &[usize] {
         &self.places
     }
 
-    /// The columns of the factor for all of `count` numbers: the independent directions in which
-    /// they vary, each with the factors of the numbers that it moves, by their places.
+    /// The columns of the factor for all `count` inputs: the independent directions in which they
+    /// vary, each as the indices of the inputs that it changes, with factors.
     pub(super) fn directions(&self, count: usize) -> Vec<Vec<(usize, f64)>> {
         let direction = |place: usize| match self.places.binary_search(&place) {
             Err(_) => vec![(place, 1.0)],
@@ -89,7 +89,7 @@ impl<T: Clone> Lower<T> {
     }
 }
 
-/// All places of pairs, rising.
+/// All indices in the pairs, in increasing order.
 fn members(pairs: &[[usize; 2]]) -> Vec<usize> {
     let mut places: Vec<usize> = pairs.iter().flatten().copied().collect();
     places.sort_unstable();
@@ -97,12 +97,12 @@ fn members(pairs: &[[usize; 2]]) -> Vec<usize> {
     places
 }
 
-/// The index of a place among rising ones that have it.
+/// The position of an index in an increasing list that contains it.
 fn member(places: &[usize], place: usize) -> usize {
     places.partition_point(|other| *other < place)
 }
 
-/// The refusal of a coefficient that the others exclude.
+/// The error for a coefficient that is impossible with the others.
 fn contradiction(
     sampling: &Sampling,
     places: &[usize],

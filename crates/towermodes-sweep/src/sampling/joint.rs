@@ -1,4 +1,4 @@
-//! Means, deviations and correlations of all varied numbers.
+//! Means, standard deviations and correlations of all varied inputs.
 
 use towermodes_files::{Sampling, SamplingError};
 
@@ -6,15 +6,16 @@ use super::correlated::Correlated;
 use super::moments::{moments, of_values};
 use super::values::Values;
 
-/// The first two moments of the joint distribution of the varied numbers.
+/// The first two moments of the joint distribution of the varied inputs.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Joint {
-    /// Mean and standard deviation of each number.
+    /// Mean and standard deviation of each input.
     pub(crate) moments: Vec<[f64; 2]>,
-    /// The two places of each correlation and its coefficient, that of the values.
+    /// The indices of the two inputs of each correlation, and the correlation coefficient of their
+    /// values.
     pub(crate) correlations: Vec<([usize; 2], f64)>,
-    /// As many directions as numbers, which vary independently with the variance 1: each has the
-    /// places of the numbers that it moves, and by how much.
+    /// As many directions as inputs, which vary independently with the variance 1: each as the
+    /// indices of the inputs that it changes, and the amounts.
     pub(crate) directions: Vec<Vec<(usize, f64)>>,
 }
 
@@ -22,7 +23,7 @@ impl Joint {
     /// The moments of a sampling.
     ///
     /// # Errors
-    /// [`SamplingError`] for what cannot be drawn.
+    /// [`SamplingError`] for a sampling that cannot be drawn.
     pub(crate) fn of(sampling: &Sampling) -> Result<Self, SamplingError> {
         sampling.check()?;
         let values = sampling.vary.iter();

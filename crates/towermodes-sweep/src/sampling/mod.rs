@@ -1,6 +1,6 @@
 //! Rows drawn from distributions: grid, Latin hypercube, random, Sobol.
 //!
-//! A row is a function of the seed and its number: any process draws any row, and nothing is
+//! A row is a function of the seed and its number: any process can draw any row, and nothing is
 //! stored.
 
 mod cholesky;
@@ -56,7 +56,7 @@ pub struct Draw {
     correlated: Correlated,
 }
 
-/// What draws one value of each row.
+/// The rule that draws one value of each row.
 #[derive(Debug, Clone, PartialEq)]
 struct Dimension {
     values: Values,
@@ -70,17 +70,17 @@ enum Rule {
         levels: u64,
         every: u64,
     },
-    /// The interval of each row.
+    /// A permutation gives the interval of each row.
     LatinHypercube(Permutation),
     Random,
     Sobol(Box<SobolDimension>),
 }
 
 impl Draw {
-    /// What draws the rows of a sampling.
+    /// The generator of the rows of a sampling.
     ///
     /// # Errors
-    /// [`SamplingError`] for what cannot be drawn.
+    /// [`SamplingError`] for a sampling that cannot be drawn.
     pub fn new(sampling: &Sampling) -> Result<Self, SamplingError> {
         let values = sampling.vary.iter();
         let values: Result<Vec<Values>, _> = values.map(|v| Values::new(&v.distribution)).collect();
@@ -128,7 +128,7 @@ impl Draw {
     /// Draws a row, from 0.
     ///
     /// # Panics
-    /// If `values` has not one element for each change, or there is no such row.
+    /// If `values` does not have one element for each change, or if there is no such row.
     pub fn row(&self, row: u64, values: &mut [f64]) {
         assert!(row < self.rows && values.len() == self.dimensions.len());
         let mut random = [0; 4];
@@ -159,7 +159,7 @@ impl Dimension {
         }
     }
 
-    /// The probability of a lower value, in (0, 1).
+    /// The probability of a smaller value, in (0, 1).
     fn probability(&self, row: u64, rows: u64, random: f64) -> f64 {
         match &self.rule {
             Rule::LatinHypercube(intervals) => {
@@ -264,8 +264,8 @@ mod tests {
         }
     }
 
-    /// The mean of the product of four uniform values is 1/16. The standard error by chance is
-    /// 0.0019 at 1024 rows; a scrambled Sobol sequence has a tenth of it or less.
+    /// The mean of the product of four uniform values is 1/16. With independent random rows the
+    /// standard error is 0.0019 at 1024 rows; a scrambled Sobol sequence has a tenth of it or less.
     #[test]
     fn a_sobol_sequence_integrates_better_than_chance() {
         let error = |kind| {
@@ -329,7 +329,7 @@ mod tests {
         assert!(error.contains("levels = n"), "{error}");
     }
 
-    /// A grid of no rows would divide by its levels.
+    /// A grid without rows would cause a division by zero.
     #[test]
     fn a_grid_of_nothing_is_refused() {
         let grid = |rows, values| {

@@ -4,10 +4,10 @@ use towermodes_files::Distribution;
 
 use super::values::Values;
 
-/// The quadrature goes to this score on both sides: the probability beyond is 2⁻⁵².
+/// The quadrature extends to this score on both sides; the probability beyond it is 2⁻⁵².
 const FARTHEST: f64 = 8.2;
-/// Points for each unit of the score. The trapezoidal rule of an analytic function times the normal
-/// density has all digits with fewer.
+/// Number of points per unit of the score. For an analytic function times the normal density the
+/// trapezoidal rule is exact to all digits with fewer points.
 const POINTS: i32 = 16;
 
 /// The expectation of a function of a standard normal score.
@@ -55,7 +55,7 @@ pub(super) fn moments(distribution: &Distribution, values: &Values) -> [f64; 2] 
 }
 
 /// The correlation of two values, each with its moments, whose scores have the correlation r: the
-/// second score is r z + √(1 − r²) w with the first one z and an independent one w.
+/// second score is r z + √(1 − r²) w, with the first score z and an independent score w.
 pub(super) fn of_values([first, second]: [(&Values, [f64; 2]); 2], r: f64) -> f64 {
     if first.0.is_normal() && second.0.is_normal() {
         return r;

@@ -1,13 +1,14 @@
 //! The standard normal distribution: its probability and its quantile.
 //!
-//! The functions of `libm` are the same on every machine, and so are the values drawn.
+//! The functions of `libm` give the same results on every machine, so the drawn values are the same
+//! too.
 
 /// The probability that a standard normal value is below x.
 pub(crate) fn probability(x: f64) -> f64 {
     0.5 * libm::erfc(-x * std::f64::consts::FRAC_1_SQRT_2)
 }
 
-/// The value below which a standard normal value is with a probability p, 0 < p < 1.
+/// The value that a standard normal value is below with the probability p, 0 < p < 1.
 ///
 /// Algorithm AS 241 of M. J. Wichura, Applied Statistics 37 (1988), 477–484: relative error about
 /// 1e-16.
@@ -50,7 +51,7 @@ const TAIL: [[f64; 8]; 2] = [
      6.897_673_349_851e-1, 1.676_384_830_183_803_8, 2.053_191_626_637_759, 1.0],
 ];
 
-/// Coefficients for tails beyond.
+/// Coefficients for the tails beyond exp(−25).
 #[rustfmt::skip]
 const FAR_TAIL: [[f64; 8]; 2] = [
     [2.010_334_399_292_288_1e-7, 2.711_555_568_743_487_6e-5, 1.242_660_947_388_078_4e-3, 2.653_218_952_657_612_4e-2,
@@ -100,7 +101,8 @@ mod tests {
         assert_eq!(quantile(0.5), 0.0);
     }
 
-    /// The rounding of x/√2 changes the probability of a tail by x² times as much.
+    /// The rounding of x/√2 changes the probability of a tail by a factor of x² times this
+    /// rounding.
     #[test]
     fn probabilities_have_all_digits_that_x_has() {
         for (x, expected) in PROBABILITIES {
@@ -113,7 +115,7 @@ mod tests {
         }
     }
 
-    /// The three pieces meet: the quantile rises at their borders.
+    /// The three approximations agree at their borders: the quantile increases there.
     #[test]
     fn pieces_meet() {
         for border in [0.075, 0.925, (-25.0_f64).exp()] {

@@ -1,19 +1,21 @@
-//! A permutation of the rows that is chosen by a key, each element computed alone.
+//! A permutation of the rows that is determined by a key; each element is computed independently of
+//! the others.
 
 use super::philox::{mixed, philox};
 
-/// Up to this number of rows the permutation is stored: then every one of the n! is equally likely.
+/// Up to this number of rows the permutation is stored, so that all n! permutations are equally
+/// likely.
 const STORED: u64 = 4096;
 const ROUNDS: u64 = 6;
 
 /// A permutation of 0 to n − 1.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Permutation {
-    /// Each element's place.
+    /// The position of each element.
     Stored(Vec<u32>),
-    /// A Feistel network (Luby and Rackoff 1988) on pairs of `half_bits` bits, at most four times
-    /// as many numbers as there are rows. It is applied again until the number is below `rows`
-    /// (cycle walking; Black and Rogaway 2002).
+    /// A Feistel network (Luby and Rackoff 1988) on pairs of `half_bits` bits, with at most four
+    /// times as many numbers as there are rows. It is applied repeatedly until the number is below
+    /// `rows` (cycle walking; Black and Rogaway 2002).
     Keyed { rows: u64, half_bits: u32, key: u64 },
 }
 
@@ -31,7 +33,7 @@ impl Permutation {
         }
     }
 
-    /// Where an element goes.
+    /// The position of an element.
     pub(super) fn of(&self, element: u64) -> u64 {
         match self {
             Self::Stored(places) => u64::from(places[element as usize]),
@@ -60,7 +62,8 @@ fn feistel(number: u64, half_bits: u32, key: u64) -> u64 {
     (left << half_bits) | right
 }
 
-/// Fisher and Yates: swaps each element with a random one of those not yet passed.
+/// The algorithm of Fisher and Yates: exchanges each element with a random one of those not yet
+/// visited.
 fn shuffled(rows: u32, key: u64) -> Vec<u32> {
     let mut places: Vec<u32> = (0..rows).collect();
     for last in (1..rows).rev() {
@@ -92,8 +95,8 @@ mod tests {
         }
     }
 
-    /// The orders of three elements: 6000 keys give each of the six about 1000 times; a standard
-    /// deviation is 29.
+    /// The permutations of three elements: with 6000 keys each of the six occurs about 1000 times;
+    /// a standard deviation is 29.
     #[test]
     fn all_orders_of_few_rows_are_equally_likely() {
         let mut counts = [0_i32; 9];
@@ -107,7 +110,7 @@ mod tests {
         }
     }
 
-    /// Neighbouring rows, and the same rows under neighbouring keys, go to independent places:
+    /// Neighbouring rows, and the same rows with neighbouring keys, get independent positions:
     /// their correlation over 20 000 rows has a standard deviation of 0.007.
     #[test]
     fn places_are_not_correlated() {

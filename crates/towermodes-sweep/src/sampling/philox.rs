@@ -1,7 +1,8 @@
-//! A random number generator without a state: Philox 4×64 with ten rounds.
+//! A random number generator without state: Philox 4×64 with ten rounds.
 //!
 //! Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC11 (2011). Any
-//! number of a stream is computed alone, so rows can be drawn in any order by any process.
+//! number of a stream can be computed independently of the others, so any process can draw rows in
+//! any order.
 
 const MULTIPLIERS: [u64; 2] = [0xD2E7_470E_E14C_6C93, 0xCA5A_8263_9512_1157];
 const KEY_STEPS: [u64; 2] = [0x9E37_79B9_7F4A_7C15, 0xBB67_AE85_84CA_A73B];
@@ -34,7 +35,8 @@ pub(super) fn unit(bits: u64) -> f64 {
 }
 
 /// Mixes the bits of a number (the finalizer of SplitMix64): each input bit changes half of the
-/// output bits. Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
+/// output bits on average. Steele, Lea, Flood, "Fast splittable pseudorandom number generators",
+/// OOPSLA 2014.
 pub(super) fn mixed(mut bits: u64) -> u64 {
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);

@@ -1,9 +1,9 @@
-//! The Sobol sequence with Owen's scrambling, any point of it computed alone.
+//! The Sobol sequence with Owen's scrambling; each point is computed independently of the others.
 
 use super::philox::{mixed, philox, unit};
 use super::sobol_numbers::DIRECTION_NUMBERS;
 
-/// Bits of a coordinate before scrambling, and so at most 2³² points.
+/// Number of bits of a coordinate before scrambling, which limits the sequence to 2³² points.
 const BITS: usize = 32;
 
 /// One dimension of the sequence.
@@ -11,12 +11,12 @@ const BITS: usize = 32;
 pub(super) struct SobolDimension {
     /// The direction numbers v₁ to v₃₂ as fractions of 2³².
     directions: [u32; BITS],
-    /// Chooses the scrambling.
+    /// The key of the scrambling.
     key: u64,
 }
 
 impl SobolDimension {
-    /// A dimension, from 0, scrambled as a seed says.
+    /// A dimension, from 0, scrambled with a seed.
     pub(super) fn new(dimension: usize, seed: u64) -> Self {
         let [key, ..] = philox([dimension as u64, 0, 0, 2], [seed, 0]);
         Self {
@@ -33,8 +33,8 @@ impl SobolDimension {
         bits.fold(0, |sum, bit| sum ^ self.directions[bit])
     }
 
-    /// The coordinate of a point in (0, 1): nested uniform scrambling (Owen 1995). Each binary
-    /// digit is flipped or not, as the digits before it say, so that every interval of length 2⁻ᵏ
+    /// The coordinate of a point in (0, 1) after nested uniform scrambling (Owen 1995): the binary
+    /// digits before a digit determine whether it is flipped, so that every interval of length 2⁻ᵏ
     /// keeps its number of points; random digits follow the first 32.
     pub(super) fn scrambled(&self, point: u32) -> f64 {
         let plain = u64::from(self.plain(point));
@@ -54,8 +54,8 @@ impl SobolDimension {
     }
 }
 
-/// The direction numbers of a dimension: m₁, m₂, … of the table, the following ones by the
-/// recurrence of its primitive polynomial (Bratley and Fox 1988), each as a fraction of 2³².
+/// The direction numbers of a dimension: m₁, m₂, … of the table, then by the recurrence of its
+/// primitive polynomial (Bratley and Fox 1988), each as a fraction of 2³².
 fn directions(dimension: usize) -> [u32; BITS] {
     let Some((polynomial, initial)) = dimension.checked_sub(1).map(|d| DIRECTION_NUMBERS[d]) else {
         return std::array::from_fn(|bit| 1 << (BITS - 1 - bit));

@@ -3,9 +3,9 @@
 //! From the table new-joe-kuo-6 of S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better
 //! two-dimensional projections", SIAM Journal on Scientific Computing 30 (2008), 2635–2654.
 
-/// Of each dimension from the second on: its primitive polynomial over the integers modulo 2, whose
-/// bits are the coefficients with that of the highest power first, and the initial numbers m₁, m₂,
-/// …, as many as the polynomial's degree.
+/// For each dimension from the second on: its primitive polynomial over the integers modulo 2,
+/// whose bits are the coefficients, that of the highest power first, and the initial numbers m₁,
+/// m₂, …, as many as the degree of the polynomial.
 pub(super) const DIRECTION_NUMBERS: [(u32, &[u32]); 63] = [
     (3, &[1]),
     (7, &[1, 3]),

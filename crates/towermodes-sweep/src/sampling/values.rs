@@ -4,7 +4,7 @@ use towermodes_files::{Distribution, SamplingError};
 
 use super::normal;
 
-/// A distribution whose constants are computed.
+/// A distribution with precomputed constants.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Values {
     Uniform { low: f64, high: f64 },
@@ -20,9 +20,9 @@ pub(super) struct Gaussian {
     is_logarithm: bool,
     /// The limits of the value.
     limits: [f64; 2],
-    /// The probabilities of values below the limits, which have all digits below the mean.
+    /// The probabilities of values below the limits, accurate in all digits below the mean.
     below: [f64; 2],
-    /// Those of values above them, which have all digits above the mean.
+    /// The probabilities of values above the limits, accurate in all digits above the mean.
     above: [f64; 2],
 }
 
@@ -30,7 +30,8 @@ impl Values {
     /// The values of a distribution.
     ///
     /// # Errors
-    /// [`SamplingError`] for numbers that no distribution has, or limits that leave no value.
+    /// [`SamplingError`] for impossible parameters of a distribution, or limits that exclude all
+    /// values.
     pub(super) fn new(distribution: &Distribution) -> Result<Self, SamplingError> {
         distribution.check()?;
         Ok(match *distribution {
@@ -52,7 +53,7 @@ impl Values {
         })
     }
 
-    /// The value below which another is with a probability u, 0 < u < 1.
+    /// The quantile at the probability u, 0 < u < 1.
     pub(super) fn at(&self, u: f64) -> f64 {
         match self {
             Self::Uniform { low, high } => (low + u * (high - low)).min(*high),
@@ -64,7 +65,7 @@ impl Values {
         }
     }
 
-    /// The value with the probability of a standard normal score.
+    /// The quantile at the probability of a standard normal score.
     pub(super) fn of_score(&self, score: f64) -> f64 {
         match self {
             // A score has more digits than its probability.
@@ -74,12 +75,13 @@ impl Values {
         }
     }
 
-    /// Whether it is a linear function of its score.
+    /// Whether the value is a linear function of the standard normal score.
     pub(super) fn is_normal(&self) -> bool {
         matches!(self, Self::Gaussian(of) if of.has_no_limits() && !of.is_logarithm)
     }
 
-    /// A value of a grid: one of the list, or of equal steps from the lowest to the highest.
+    /// A value of a grid: one of the list, or one of equally spaced values from the lowest to the
+    /// highest.
     pub(super) fn level(&self, level: u64, levels: u64) -> f64 {
         match self {
             Self::Uniform { high, .. } if level + 1 == levels => *high,
@@ -93,7 +95,8 @@ impl Values {
     }
 }
 
-/// Mean and standard deviation of the logarithm of a lognormal value with the given ones.
+/// Mean and standard deviation of the logarithm of a lognormal value with this mean and standard
+/// deviation.
 fn of_logarithm(mean: f64, deviation: f64) -> [f64; 2] {
     let variation = deviation / mean;
     let variance = libm::log1p(variation * variation);

@@ -7,17 +7,17 @@ use crate::sweep::Sweep;
 pub(super) enum Column {
     /// The number of the row, from 0.
     Row,
-    /// The value of a change, by its place.
+    /// The value of a change, by the index of the change.
     Input(usize),
     MassKg,
     Certified,
-    /// The frequency of a mode, by its place.
+    /// The frequency of a mode, by the index of the mode.
     Hz(usize),
-    /// Its error.
+    /// The error of this frequency.
     ErrorHz(usize),
-    /// The share of its family in its energy.
+    /// The share of the energy of the mode in its type of motion.
     Share(usize),
-    /// The error of the row, as a sentence.
+    /// The error message of the row.
     Sentence,
 }
 

@@ -14,8 +14,7 @@ pub(super) fn names(columns: &[(String, Column)]) -> io::Result<Vec<u8>> {
     writer.into_inner().map_err(|error| error.into_error())
 }
 
-/// The lines of rows. Numbers are written as they are, because only sentences can need quotation
-/// marks.
+/// The lines of rows. Numbers are written without quotation marks; only messages may need them.
 pub(super) fn rows(part: &Part, columns: &[(String, Column)]) -> io::Result<Vec<u8>> {
     let results = &part.results;
     let modes = results.modes.len();
@@ -45,10 +44,10 @@ pub(super) fn rows(part: &Part, columns: &[(String, Column)]) -> io::Result<Vec<
     Ok(text)
 }
 
-/// About the length of a number with its comma.
+/// Approximate length of a number with its comma.
 const CELL_BYTES: usize = 20;
 
-/// A text as a cell that is not the only one of its row.
+/// A text as a cell; the row has other cells, so an empty text needs no quotation marks.
 fn quoted(sentence: &str) -> io::Result<Vec<u8>> {
     if sentence.is_empty() {
         return Ok(Vec::new());
@@ -61,7 +60,7 @@ fn quoted(sentence: &str) -> io::Result<Vec<u8>> {
     Ok(cell)
 }
 
-/// A number with all its digits, as `{:?}` writes it: with an exponent where it is large or small;
+/// A number with all its digits in the format `{:?}`: with an exponent if it is large or small;
 /// nothing for NaN.
 fn number(text: &mut Vec<u8>, number: f64) -> io::Result<()> {
     match number.abs() {
@@ -75,14 +74,14 @@ fn number(text: &mut Vec<u8>, number: f64) -> io::Result<()> {
     }
 }
 
-/// The rows of a slice, one block after the other.
+/// The rows of a slice, one block after another.
 pub(super) struct Rows(::csv::Reader<BufReader<File>>);
 
 impl Rows {
-    /// Those of a file behind its header.
+    /// The rows of a file after its header.
     ///
     /// # Errors
-    /// What is wrong with the names of the columns.
+    /// The error in the names of the columns.
     pub(super) fn new(file: BufReader<File>, columns: &[(String, Column)]) -> Result<Self, String> {
         let mut reader = ::csv::ReaderBuilder::new().flexible(true).from_reader(file);
         let found = reader.headers().map_err(|error| error.to_string())?;
@@ -92,10 +91,10 @@ impl Rows {
         }
     }
 
-    /// Reads rows into empty results, as many as these have.
+    /// Reads as many rows as the empty results have into these.
     ///
     /// # Errors
-    /// What is wrong with the text.
+    /// The error in the text.
     pub(super) fn fill(
         &mut self,
         results: &mut Results,
@@ -129,7 +128,7 @@ impl Rows {
     }
 }
 
-/// Puts a cell of a row, by its place, into the results.
+/// Stores a cell of a row, by the index of the row, in the results.
 fn put(results: &mut Results, place: usize, column: &Column, cell: &[u8]) -> Result<(), String> {
     let row = results.first_row + place as u64;
     let text = std::str::from_utf8(cell).map_err(|error| error.to_string())?;

@@ -13,7 +13,7 @@ use crate::table::TableError;
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum SliceError {
-    /// Rows that the sweep does not have.
+    /// A range of rows that the sweep does not have.
     #[error(
         "the sweep has {count} rows, numbered from 0; there are no rows {}..{}",
         rows.start, rows.end
@@ -24,7 +24,7 @@ pub enum SliceError {
         /// Number of rows of the sweep.
         count: u64,
     },
-    /// The values are those of other changes than the sweep has.
+    /// The values belong to other changes than those of the sweep.
     #[error("the values are those of {}, but the sweep changes {}", found.join(", "), expected.join(", "))]
     OtherChanges {
         /// The changes of the values.
@@ -32,16 +32,16 @@ pub enum SliceError {
         /// The changes of the sweep.
         expected: Vec<String>,
     },
-    /// Parquet without the feature.
+    /// A Parquet file in a build without the feature `parquet`.
     #[error(
         "this build of the program has no Parquet; use CSV, or build with \
          `cargo install --path crates/towermodes-cli --features parquet`"
     )]
     NoParquet,
-    /// The table cannot be read any more.
+    /// The table can no longer be read.
     #[error(transparent)]
     Table(#[from] TableError),
-    /// The watch ended it, or the memory is full.
+    /// The watch stopped the run, or the memory is not sufficient.
     #[error(transparent)]
     Run(#[from] RunError),
     /// The results cannot be written.
@@ -52,10 +52,10 @@ pub enum SliceError {
     Io {
         /// The file.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         error: io::Error,
     },
-    /// A file that is no slice.
+    /// A file that is not a slice.
     #[error(
         "{} is not a slice of a sweep: it does not begin with the line `# towermodes … sweep, …` (Parquet: an entry of the footer)",
         path.display()
@@ -72,7 +72,7 @@ pub enum SliceError {
         /// The differences.
         differences: Vec<String>,
     },
-    /// Two slices with the same rows.
+    /// Two slices that contain the same rows.
     #[error("{} and {} both have the rows {}..{}; omit one of them", paths[0].display(), paths[1].display(), rows.start, rows.end)]
     Overlap {
         /// The files.
@@ -80,14 +80,14 @@ pub enum SliceError {
         /// The rows.
         rows: Range<u64>,
     },
-    /// A slice that is not whole.
+    /// A slice that is incomplete or damaged.
     #[error("{} is incomplete: {detail}; write it again with --rows {}..{}", path.display(), rows.start, rows.end)]
     Damaged {
         /// The file.
         path: PathBuf,
-        /// The rows that it should have.
+        /// The rows that it should contain.
         rows: Range<u64>,
-        /// The error in words.
+        /// The error as text.
         detail: String,
     },
 }

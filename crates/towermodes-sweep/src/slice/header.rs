@@ -19,14 +19,14 @@ pub(super) struct Header {
     pub(super) rows: Range<u64>,
 }
 
-/// All that the results of a sweep depend on.
+/// Everything that the results of a sweep depend on.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Identity {
     /// The version of the program.
     version: String,
     /// The digest of the tower as a tower file.
     tower: String,
-    /// The digest of the table, or of how the sample is drawn.
+    /// The digest of the table, or of the parameters of the sample.
     values: String,
     /// The digest of the modes, the columns and the options of the solver.
     options: String,
@@ -47,13 +47,13 @@ impl Identity {
         }
     }
 
-    /// The header of some of the rows.
+    /// The header of a slice with these rows.
     pub(super) fn header(&self, rows: Range<u64>) -> Header {
         let sweep = self.clone();
         Header { sweep, rows }
     }
 
-    /// What is different in the sweep of a slice, in words; nothing if it is the same.
+    /// The differences of a slice's sweep from this one, as text; empty if it is the same sweep.
     pub(super) fn differences(&self, header: &Header) -> Vec<String> {
         let found = &header.sweep;
         let mut differences = Vec::new();
@@ -95,7 +95,7 @@ impl fmt::Display for Header {
     }
 }
 
-/// The text is not that of a header.
+/// The error for a text that is not a header.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct NoHeader;
 
@@ -134,8 +134,8 @@ impl FromStr for Header {
     }
 }
 
-/// The first 16 hexadecimal digits of the SHA-256: they tell sweeps apart that are not made to
-/// deceive.
+/// The first 16 hexadecimal digits of the SHA-256: they distinguish sweeps, except texts made to
+/// collide.
 fn digest(text: &str) -> String {
     let mut digits = Digest::of(text.as_bytes());
     digits.truncate(16);

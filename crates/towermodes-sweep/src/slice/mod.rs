@@ -6,10 +6,10 @@
 //! 0,350000.0,347374.41444767383,true,0.32146,…
 //! ```
 //!
-//! The first line, in Parquet an entry of the footer, says which sweep it is and which rows they
-//! are. A row is a function of the sweep and its number, so any process may write any slice, and
-//! slices have the same bytes whoever writes them. [`Slices`] reads them together: it refuses those
-//! of another sweep and tells which rows are missing.
+//! The first line, in Parquet an entry of the footer, identifies the sweep and the range of rows. A
+//! row is a function of the sweep and its number, so any process may write any slice, and a slice
+//! always has the same bytes. [`Slices`] reads slices together: it refuses those of another sweep
+//! and lists the missing rows.
 
 mod column;
 mod csv;

@@ -1,4 +1,4 @@
-//! Slices in Parquet; the footer has the header.
+//! Slices in Parquet; the header is an entry of the footer.
 
 use std::collections::TryReserveError;
 use std::fs::File;
@@ -23,17 +23,17 @@ use super::header::Header;
 use super::part::Part;
 use crate::rows::results::Results;
 
-/// The name of the header in the footer.
+/// The key of the header in the footer.
 const KEY: &str = "towermodes.sweep";
 
-/// Rows in memory until they are written as a row group: about ten megabytes.
+/// Number of rows in memory until they are written as a row group: about ten megabytes.
 const GROUP_ROWS: usize = 65_536;
 
 /// Writes a slice.
 pub(super) struct Writer<W: Write + Send> {
     file: SerializedFileWriter<W>,
     columns: Vec<(String, Column)>,
-    /// Rows that are not written.
+    /// The rows that are not yet written.
     group: Option<Part>,
 }
 
@@ -48,7 +48,7 @@ impl<W: Write + Send> Writer<W> {
         })
     }
 
-    /// Adds the rows that follow.
+    /// Adds the following rows.
     pub(super) fn add(&mut self, part: Part) -> Result<()> {
         let rows = match &mut self.group {
             None => self.group.insert(part).results.rows(),
@@ -87,8 +87,8 @@ impl<W: Write + Send> Writer<W> {
     }
 }
 
-/// Frequencies of near towers have equal first bytes: the bytes of each place side by side are
-/// compressed best.
+/// The first bytes of the frequencies of similar towers are equal, so the encoding that stores
+/// bytes of equal position together compresses best.
 fn properties(columns: &[(String, Column)], header: &Header) -> WriterProperties {
     let mut builder = WriterProperties::builder()
         .set_created_by(concat!("towermodes ", env!("CARGO_PKG_VERSION")).to_owned())
@@ -171,7 +171,7 @@ fn write_column(writer: &mut ColumnWriter<'_>, part: &Part, column: &Column) -> 
     Ok(())
 }
 
-/// The numbers of a column; NaN where there is none.
+/// The values of a column; NaN if a value is missing.
 fn numbers(part: &Part, column: &Column) -> Vec<f64> {
     let results = &part.results;
     let changes = part.inputs.len().checked_div(results.rows()).unwrap_or(0);
@@ -197,7 +197,7 @@ pub(super) fn header(reader: &SerializedFileReader<File>) -> Option<Header> {
     entry.value.as_deref()?.parse().ok()
 }
 
-/// Visits the results of a slice, one row group after the other.
+/// Visits the results of a slice, one row group after another.
 pub(super) fn each(
     reader: &SerializedFileReader<File>,
     columns: &[(String, Column)],

@@ -4,7 +4,7 @@ use crate::rows::results::Results;
 use crate::source::RowSource;
 use crate::sweep::Sweep;
 
-/// Results with the values of their rows.
+/// Results with the input values of their rows.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Part {
     /// The values of the changes, row by row; empty if they are not columns.

@@ -12,9 +12,9 @@ use super::header::Header;
 use crate::rows::results::Results;
 use crate::sweep::Sweep;
 
-/// Rows of a CSV that are read at a time.
+/// Number of rows of a CSV that are read at a time.
 const BLOCK_ROWS: u64 = 16_384;
-/// The first line of a slice is shorter.
+/// Largest length of the first line of a slice.
 const MOST_BYTES: u64 = 1000;
 
 /// An open slice.
@@ -72,10 +72,10 @@ fn open_parquet(_: &Path, _: File) -> Result<(Option<Header>, Open), SliceError>
 }
 
 impl Open {
-    /// Visits the results of the slice, some rows at a time.
+    /// Visits the results of the slice in blocks of rows.
     ///
     /// # Errors
-    /// What is wrong with the file.
+    /// The error in the file.
     pub(super) fn each(
         self,
         sweep: &Sweep,

@@ -21,11 +21,11 @@ pub struct Slices<'a> {
 }
 
 impl<'a> Slices<'a> {
-    /// Opens files and reads which rows they have.
+    /// Opens the files and reads which rows they contain.
     ///
     /// # Errors
-    /// [`SliceError`]: a file cannot be read, is not a slice of this sweep, or has rows that
-    /// another one has too.
+    /// [`SliceError`]: a file cannot be read, is not a slice of this sweep, or contains rows that
+    /// another one contains too.
     pub fn open(
         sweep: &'a Sweep,
         source: &'a SweepSource,
@@ -61,12 +61,12 @@ impl<'a> Slices<'a> {
         })
     }
 
-    /// The sweep whose results they are.
+    /// The sweep of these results.
     pub fn sweep(&self) -> &Sweep {
         self.sweep
     }
 
-    /// The source of the values of its rows.
+    /// The source of the input values of the rows.
     pub fn source(&self) -> &SweepSource {
         self.source
     }
@@ -77,7 +77,7 @@ impl<'a> Slices<'a> {
         rows.sum()
     }
 
-    /// The rows in a range that no slice has, in their order.
+    /// The rows of a range that no slice contains, in increasing order.
     pub fn missing(&self, wanted: Range<u64>) -> Vec<Range<u64>> {
         let mut missing = Vec::new();
         let mut next = wanted.start;
@@ -94,11 +94,11 @@ impl<'a> Slices<'a> {
         missing
     }
 
-    /// Visits the results of all slices in their order, some rows at a time; those of a missing
-    /// mode or a failed row are NaN.
+    /// Visits the results of all slices in their order, in blocks of rows; values of a missing mode
+    /// or a failed row are NaN.
     ///
     /// # Errors
-    /// [`SliceError`] for a slice that cannot be read or is not whole.
+    /// [`SliceError`] for a slice that cannot be read or is incomplete.
     pub fn each(&self, visit: &mut dyn FnMut(Results)) -> Result<(), SliceError> {
         for (path, rows) in &self.files {
             let (_, file) = open(path)?;

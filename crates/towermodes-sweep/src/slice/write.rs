@@ -19,14 +19,14 @@ use crate::sweep_source::SweepSource;
 /// The format of the files of results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum SliceFormat {
-    /// Text with a line of names; an empty cell is a number that was not computed.
+    /// Text with a header line; an empty cell is a value that was not computed.
     #[default]
     Csv,
-    /// Apache Parquet, with null for a number that was not computed; needs the feature `parquet`.
+    /// Apache Parquet, with null for a value that was not computed; needs the feature `parquet`.
     Parquet,
 }
 
-/// Successive rows of a sweep that are solved and written.
+/// Successive rows of a sweep, to be solved and written.
 ///
 /// # Example
 /// Half of 1000 towers, drawn by a Latin hypercube, in memory:
@@ -77,8 +77,7 @@ pub struct Slice<'a> {
     pub format: SliceFormat,
 }
 
-/// The rows of a sweep that are asked for, numbered from 0: those of a range that may end behind
-/// the last row.
+/// The rows that a range selects, numbered from 0; the range may end beyond the last row.
 ///
 /// # Errors
 /// [`SliceError::NoSuchRows`] for a range without rows of the sweep.
@@ -97,16 +96,16 @@ pub struct Solved {
     pub rows: u64,
     /// Number of rows that failed or lack a mode.
     pub failed: u64,
-    /// The first of them, with its sentence.
+    /// The first of these rows, with its message.
     pub first_failure: Option<(u64, String)>,
     /// Rows with input that is probably a mistake.
     pub warnings: RowRemarks,
-    /// Rows in which modes share the motion of a name.
+    /// Rows in which several modes share a motion.
     pub shared: RowRemarks,
 }
 
 impl<'a> Slice<'a> {
-    /// All rows, in CSV.
+    /// A slice with all rows, in CSV.
     pub fn all(sweep: &'a Sweep, source: &'a SweepSource) -> Self {
         Self {
             sweep,
@@ -124,7 +123,7 @@ impl<'a> Slice<'a> {
     ///
     /// # Errors
     /// [`SliceError`]: the sweep has no such rows, the table has changed, the results cannot be
-    /// written, or the watch ended it. What is written then is not whole.
+    /// written, or the watch stopped the run. The output is then incomplete.
     pub fn write(
         &self,
         out: impl Write + Send,
@@ -155,7 +154,7 @@ impl<'a> Slice<'a> {
         })
     }
 
-    /// Refuses rows that the sweep does not have, and values of other changes.
+    /// Refuses rows that the sweep does not have, and values for other changes.
     fn check(&self) -> Result<(), SliceError> {
         let count = self.source.rows();
         if self.rows.start >= self.rows.end || self.rows.end > count {
@@ -183,7 +182,7 @@ impl Solved {
     }
 }
 
-/// Rows that can be written.
+/// Rows that are ready to be written.
 struct Ready {
     rows: u64,
     failed: u64,
@@ -198,7 +197,7 @@ enum Content {
 }
 
 impl Ready {
-    /// Results, and the values of their rows, which are in a block.
+    /// Results with the values of their rows, which are in a block.
     fn new(
         slice: &Slice<'_>,
         block: &dyn RowSource,
@@ -279,7 +278,7 @@ impl<W: Write + Send> Writer<W> {
     }
 }
 
-/// An error of writing: a full disk has its own words.
+/// The error of a write; a full disk gets its own message.
 #[cfg(feature = "parquet")]
 fn of_parquet(error: ::parquet::errors::ParquetError) -> SliceError {
     use ::parquet::errors::ParquetError;

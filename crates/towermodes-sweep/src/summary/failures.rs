@@ -1,12 +1,12 @@
-//! Failures counted by their sentence, whatever its numbers are.
+//! Failures counted by their message, with numbers ignored.
 
-/// At most this many kinds are counted by themselves.
+/// Largest number of kinds that are counted separately.
 const MOST_KINDS: usize = 100;
 
-/// Rows with the same sentence but for its numbers.
+/// Rows whose messages differ only in their numbers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FailureKind {
-    /// The sentence of the first of them.
+    /// The message of the first of these rows.
     pub sentence: String,
     /// The number of this row, from 0.
     pub row: u64,
@@ -49,7 +49,7 @@ impl Failures {
     }
 }
 
-/// A sentence with a sign in place of each number. An index in brackets stays.
+/// A message with a placeholder for each number. An index in brackets is kept.
 fn without_numbers(sentence: &str) -> String {
     let words = sentence.split_inclusive(' ').map(|word| {
         let plain = word.trim_matches([' ', ',', ';', ':', '(', ')', '.']);

@@ -1,4 +1,4 @@
-//! A sweep in numbers: statistics of each column, failures, violated resonance margins.
+//! Statistics of a sweep: of each column, of failures, and of violated resonance margins.
 
 mod failures;
 mod statistics;
@@ -21,14 +21,14 @@ use statistics::Values;
 pub struct MarginCheck {
     /// The rotor.
     pub rotor: Rotor,
-    /// The required distance |n Ω/f − 1|, 0.05 for example.
+    /// The required distance |n Ω/f − 1|, for example 0.05.
     pub margin: f64,
     /// The multiples n of the rotor speed.
     pub multiples: Vec<usize>,
 }
 
 impl MarginCheck {
-    /// The check of a rotor by the options of a Campbell diagram.
+    /// The check of a rotor with the options of a Campbell diagram.
     pub fn new(rotor: Rotor, options: &CampbellOptions) -> Self {
         Self {
             rotor,
@@ -38,7 +38,7 @@ impl MarginCheck {
     }
 
     /// The natural frequencies whose distance from a multiple n of the rotor speed is below the
-    /// required one m at some operating speed Ω, Hz: n Ω₁/(1 + m) to n Ω₂/(1 − m).
+    /// required distance m at some operating speed Ω, Hz: n Ω₁/(1 + m) to n Ω₂/(1 − m).
     pub fn range_hz(&self, multiple: usize) -> [f64; 2] {
         let n = multiple as f64 / 60.0;
         let low = n * self.rotor.lowest_rpm / (1.0 + self.margin);
@@ -48,8 +48,8 @@ impl MarginCheck {
 }
 
 impl Sweep {
-    /// The resonance check with the rotor of the base and the usual options; none if the base has
-    /// no rotor or lacks parts of the structure, or if a change varies its speed.
+    /// The resonance check with the rotor of the base and the default options; none if the base has
+    /// no rotor or lacks parts of the structure, or if a change varies the rotor speed.
     pub fn margin_check(&self) -> Option<MarginCheck> {
         let mut varied = self.changes().iter().flat_map(|change| change.parameters());
         if varied.any(|parameter| parameter.is_of_rotor()) {
@@ -63,28 +63,27 @@ impl Sweep {
     }
 }
 
-/// A sweep in numbers.
+/// Statistics of a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Summary {
     /// Number of rows.
     pub rows: u64,
     /// Number of rows that failed or lack a mode.
     pub failed: u64,
-    /// These rows by their sentence, the most frequent first.
+    /// These rows grouped by message, the most frequent first.
     pub failures: Vec<FailureKind>,
-    /// Number of failed rows of further kinds, of which there are too many to count.
+    /// Number of failed rows of the kinds that are not counted separately.
     pub other_failures: u64,
     /// Mass of the tower and of the members of a substructure, kg.
     pub mass_kg: Option<Statistics>,
     /// The modes.
     pub modes: Vec<ModeSummary>,
-    /// Whether the rows are known to be independent of each other, as those of random sampling:
-    /// then
-    /// [`MarginSummary::standard_error`] applies. Of results in memory it is not known.
+    /// Whether the rows are known to be independent, as in random sampling: then
+    /// [`MarginSummary::standard_error`] applies. For results in memory it is not known.
     pub rows_are_independent: bool,
 }
 
-/// A mode of a sweep in numbers.
+/// Statistics of a mode of a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModeSummary {
     /// The mode.
@@ -107,39 +106,42 @@ pub struct MarginSummary {
     /// Number of rows in which |n Ω/f − 1| is below the required distance in operation, with the
     /// frequency f of the row.
     pub violated: u64,
-    /// The least and the most rows for frequencies within their errors, which are those without
-    /// extrapolation: with all frequencies of a row within its error, and with one of them.
+    /// The smallest and largest number of violated rows within the errors of the frequencies
+    /// (without extrapolation): with all frequencies of a row's error interval violating the
+    /// distance, and with at least one of them.
     pub violated_within_errors: [u64; 2],
-    /// Number of rows that have the mode.
+    /// Number of rows that contain the mode.
     pub count: u64,
 }
 
 impl MarginSummary {
-    /// The share of the rows that have the mode in which the margin is violated. It estimates a
-    /// probability if the rows are drawn; rows that failed are not in it.
+    /// The number of violated rows divided by the number of rows that contain the mode. It
+    /// estimates a probability if the rows are drawn from distributions; failed rows are not
+    /// counted.
     pub fn probability(&self) -> f64 {
         self.violated as f64 / self.count as f64
     }
 
-    /// The same with the least and the most rows for frequencies within their errors.
+    /// The same ratio with the smallest and largest number of violated rows within the errors of
+    /// the frequencies.
     pub fn probability_within_errors(&self) -> [f64; 2] {
         self.violated_within_errors
             .map(|violated| violated as f64 / self.count as f64)
     }
 
-    /// The standard error of the probability by the number of independent random rows,
-    /// √(p (1 − p)/n). It applies if [`Summary::rows_are_independent`]: rows of a Latin hypercube
-    /// or
-    /// a Sobol sequence are more even, and those of a grid or a table are not drawn by chance. With
-    /// no or all rows it is 0: then the probability is below or above a bound of about 3/n with
+    /// The standard error of the probability for independent random rows, √(p (1 − p)/n). It
+    /// applies if [`Summary::rows_are_independent`]: rows of a Latin hypercube or a Sobol sequence
+    /// are distributed more evenly, and those of a grid or a table are not random. If no row or
+    /// every row is violated it is 0: then the probability is below about 3/n or above 1 − 3/n with
     /// 95 % confidence.
     pub fn standard_error(&self) -> f64 {
         let p = self.probability();
         (p * (1.0 - p) / self.count as f64).sqrt()
     }
 
-    /// The interval that has the probability with 95 % confidence, if the rows are independent:
-    /// that of E. B. Wilson (1927), which is right for no and for all rows as well.
+    /// The interval that contains the probability with 95 % confidence, if the rows are
+    /// independent: the interval of E. B. Wilson (1927), which is valid also if no row or every row
+    /// is violated.
     pub fn interval(&self) -> [f64; 2] {
         /// The normal quantile of 97.5 %.
         const Z: f64 = 1.959_963_984_540_054;
@@ -164,12 +166,12 @@ impl MarginSummary {
 #[derive(Debug, Clone, PartialEq)]
 pub struct MarginCounts<'a> {
     check: Option<&'a MarginCheck>,
-    /// By mode, then by multiple.
+    /// The counts by mode, then by multiple.
     counts: Vec<Vec<MarginSummary>>,
 }
 
 impl<'a> MarginCounts<'a> {
-    /// No rows yet, of a number of modes.
+    /// Counts for this number of modes, without any rows.
     pub fn new(modes: usize, check: Option<&'a MarginCheck>) -> Self {
         let multiples = check.map_or(&[][..], |check| &check.multiples);
         let margins = multiples.iter().map(|multiple| MarginSummary {
@@ -184,7 +186,7 @@ impl<'a> MarginCounts<'a> {
         }
     }
 
-    /// Counts rows.
+    /// Counts the rows of results.
     pub fn add(&mut self, results: &Results) {
         let Some(check) = self.check else { return };
         for (mode, margins) in self.counts.iter_mut().enumerate() {
@@ -216,7 +218,7 @@ impl<'a> MarginCounts<'a> {
 }
 
 impl Results {
-    /// These results in numbers, with a resonance check if one is given.
+    /// Statistics of these results, with a resonance check if one is given.
     pub fn summary(&self, check: Option<&MarginCheck>) -> Summary {
         let mut counted = Counted::new(self.modes.len(), check);
         counted.add(self);
@@ -225,11 +227,11 @@ impl Results {
 }
 
 impl Slices<'_> {
-    /// The results of all slices in numbers, with a resonance check if one is given. It needs eight
-    /// bytes for each frequency and mass of the rows.
+    /// Statistics of the results of all slices, with a resonance check if one is given. It needs
+    /// eight bytes for each frequency and mass of the rows.
     ///
     /// # Errors
-    /// [`SliceError`] for a slice that cannot be read or is not whole.
+    /// [`SliceError`] for a slice that cannot be read or is incomplete.
     pub fn summary(&self, check: Option<&MarginCheck>) -> Result<Summary, SliceError> {
         let modes = self.sweep().modes();
         let mut counted = Counted::new(modes.len(), check);
@@ -241,12 +243,12 @@ impl Slices<'_> {
     }
 }
 
-/// What the rows have, as they come.
+/// The data of rows, added one block after another.
 struct Counted<'a> {
     rows: u64,
     failures: Failures,
     mass_kg: Values,
-    /// By mode.
+    /// The frequencies by mode.
     frequency_hz: Vec<Values>,
     largest_error_hz: Vec<f64>,
     margins: MarginCounts<'a>,
@@ -302,7 +304,7 @@ impl<'a> Counted<'a> {
     }
 }
 
-/// Adds the values that were computed.
+/// Adds the values that are not NaN.
 fn add_all(values: &mut Values, new: impl Iterator<Item = f64>) {
     new.filter(|value| !value.is_nan())
         .for_each(|value| values.add(value));

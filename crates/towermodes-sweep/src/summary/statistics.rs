@@ -1,4 +1,4 @@
-//! Mean, deviation, limits and quantiles of a column.
+//! Mean, standard deviation, limits and quantiles of a column.
 
 /// The levels of the quantiles of a summary.
 pub const QUANTILES: [f64; 7] = [0.001, 0.01, 0.05, 0.5, 0.95, 0.99, 0.999];
@@ -12,16 +12,16 @@ pub struct Statistics {
     pub mean: f64,
     /// Standard deviation of the population, estimated with n − 1; 0 for one value.
     pub deviation: f64,
-    /// The smallest.
+    /// The smallest value.
     pub min: f64,
-    /// The largest.
+    /// The largest value.
     pub max: f64,
     /// The quantiles at the levels [`QUANTILES`], exact, interpolated linearly between neighbours
     /// as by NumPy.
     pub quantiles: [f64; QUANTILES.len()],
 }
 
-/// The values of a column, with mean and spread as they come (Welford 1962).
+/// The values of a column, with running mean and variance (Welford 1962).
 #[derive(Debug, Clone, Default)]
 pub(super) struct Values {
     values: Vec<f64>,

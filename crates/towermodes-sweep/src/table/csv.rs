@@ -11,18 +11,18 @@ use super::file::TableFile;
 use super::header::Header;
 use super::lines::{Lines, Wrong};
 
-/// Rows between two places that are remembered.
+/// Number of rows between two stored positions.
 const BLOCK: u64 = 1024;
 
 /// A checked table in CSV.
 #[derive(Debug)]
 pub(super) struct CsvTable {
     separator: u8,
-    /// Byte and line of every [`BLOCK`]th row.
+    /// Byte and line at which every [`BLOCK`]th row begins.
     blocks: Vec<Start>,
 }
 
-/// Where a row begins.
+/// The position at which a row begins.
 #[derive(Debug, Clone, Copy)]
 struct Start {
     byte: u64,
@@ -40,7 +40,7 @@ impl CsvTable {
         file.read_through(|reader| check_all(reader, separator, base, ignore))
     }
 
-    /// Reads rows.
+    /// Reads a range of rows.
     pub(super) fn read(
         &self,
         file: &TableFile,
@@ -99,7 +99,8 @@ fn check_all(
     Ok((header, rows, CsvTable { separator, blocks }))
 }
 
-/// The separator of a table: a tab or a semicolon if the first line has one, else a comma.
+/// The separator of a table: a tab or a semicolon if the first line contains one, otherwise a
+/// comma.
 fn separator(file: &TableFile) -> Result<u8, TableProblem> {
     let mut file = file.lock();
     file.seek(SeekFrom::Start(0))?;
@@ -111,11 +112,11 @@ fn separator(file: &TableFile) -> Result<u8, TableProblem> {
     Ok([b'\t', b';'].into_iter().find(has).unwrap_or(b','))
 }
 
-/// The records of a table one after the other.
+/// The records of a table, one after another.
 struct Records<R> {
     reader: csv::Reader<BufReader<Lines<R>>>,
     record: ByteRecord,
-    /// Where the record begins.
+    /// The position at which the record begins.
     start: Start,
     /// The line after the record.
     next_line: u64,
@@ -156,7 +157,7 @@ impl<R: Read> Records<R> {
         Ok(true)
     }
 
-    /// The first empty line before another one, of what is read so far.
+    /// The first empty line that is followed by another line, in the text read so far.
     fn empty_line(&self) -> Option<u64> {
         self.reader.get_ref().get_ref().empty_line
     }
@@ -182,7 +183,7 @@ impl<R: Read> Records<R> {
         self.record.iter().map(name).collect()
     }
 
-    /// Appends the values of the changes.
+    /// Appends the values of the changes in the record.
     fn numbers(&self, header: &Header, values: &mut Vec<f64>) -> Result<(), TableProblem> {
         let line = self.start.line;
         if self.record.len() != header.names.len() {
@@ -237,7 +238,7 @@ fn number(cell: &[u8]) -> Result<f64, CellError> {
     }
 }
 
-/// The number of ends of lines in a cell.
+/// The number of line ends in a cell.
 fn line_ends(cell: &[u8]) -> u64 {
     let is_end = |(index, byte): (usize, &u8)| match byte {
         b'\n' => true,

@@ -35,37 +35,37 @@ impl TableError {
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum TableProblem {
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error("{0}")]
     Io(#[from] std::io::Error),
-    /// It is a folder, a pipe or a device.
+    /// The file is a folder, a pipe or a device.
     #[error(
         "is not a regular file; a table is read twice, so a pipe must be saved to a file first"
     )]
     NotAFile,
-    /// It is something else.
+    /// The file has another format.
     #[error("is {kind}, not a table in CSV or Parquet; {remedy}")]
     OtherFormat {
         /// The kind of the file.
         kind: &'static str,
-        /// How to make a table of it.
+        /// How to make a table from it.
         remedy: &'static str,
     },
-    /// Parquet without the feature.
+    /// A Parquet file in a build without the feature `parquet`.
     #[error(
         "is a Parquet file, which this build of the program does not read; write the table as CSV, or build with \
          `cargo install --path crates/towermodes-cli --features parquet`"
     )]
     NoParquet,
-    /// It changed while it was in use.
+    /// The file changed while it was in use.
     #[error("has changed since the sweep began; begin again")]
     Changed,
-    /// The first line has no names.
+    /// The first line contains no names.
     #[error(
         "has no columns; the first line must name the input values to change, as `towermodes parameters` lists them"
     )]
     NoColumns,
-    /// The first line has numbers.
+    /// The first line contains numbers.
     #[error(
         "the first line begins with the number `{text}`; it must name the input values to change, as `towermodes parameters` lists them"
     )]
@@ -73,7 +73,7 @@ pub enum TableProblem {
         /// The first cell.
         text: String,
     },
-    /// More columns than any tower has numbers.
+    /// More columns than the limit, which is larger than the number of input values of any tower.
     #[error(
         "has {columns} columns; the limit is {MOST_COLUMNS}: rows are towers, columns are input values of a tower"
     )]
@@ -89,17 +89,17 @@ pub enum TableProblem {
         /// The column, from 1.
         column: usize,
     },
-    /// Two columns with one name.
+    /// Two columns with the same name.
     #[error("columns {first} and {second} have the same name `{name}`; remove one of them")]
     RepeatedName {
         /// The name.
         name: String,
-        /// The first, from 1.
+        /// The first column, from 1.
         first: usize,
-        /// The second, from 1.
+        /// The second column, from 1.
         second: usize,
     },
-    /// A column that is no number of the base.
+    /// A column whose name is not an input value of the base.
     #[error(
         "column {column}: {error}{}",
         and_others(*others)
@@ -111,13 +111,13 @@ pub enum TableProblem {
         column: usize,
         /// Number of other unknown columns.
         others: usize,
-        /// Why it is no number of the base.
+        /// Why it is not an input value of the base.
         error: ParameterError,
     },
-    /// Two columns that change one number.
+    /// Two columns that change the same input value.
     #[error("{0}")]
     Contradiction(ParameterError),
-    /// A column to ignore that is not there.
+    /// A column to be ignored does not exist.
     #[error("has no column `{name}` to ignore; its columns are {columns}")]
     NothingToIgnore {
         /// The name.
@@ -125,7 +125,7 @@ pub enum TableProblem {
         /// The names of the columns.
         columns: String,
     },
-    /// All columns are left out.
+    /// All columns are ignored.
     #[error("all columns are skipped; at least one must name an input value to change")]
     NothingVaried,
     /// A header without rows.
@@ -147,7 +147,7 @@ pub enum TableProblem {
         /// The first cell.
         text: String,
     },
-    /// A line of another number of cells.
+    /// A line whose number of cells differs from the number of columns.
     #[error("line {line} has {found} cells, but the first line has {expected}")]
     Width {
         /// The line.
@@ -163,13 +163,13 @@ pub enum TableProblem {
         /// The line.
         line: u64,
     },
-    /// A line longer than any table has.
+    /// A line that is too long for a row of a table.
     #[error("line {line} is longer than {} MiB; this is not a table of numbers", MAX_LINE_BYTES >> 20)]
     LongLine {
         /// The line.
         line: u64,
     },
-    /// A quotation mark without a second one.
+    /// A quotation mark that is not closed.
     #[error(
         "line {line}: a cell begins with a quotation mark that is not closed in the next {MAX_CELL_LINES} lines; \
          close it or remove it"
@@ -178,30 +178,30 @@ pub enum TableProblem {
         /// The line.
         line: u64,
     },
-    /// Names that are not text.
+    /// Names that are not valid UTF-8.
     #[error("the names of the columns are not UTF-8; save the table as UTF-8")]
     NotUtf8,
     /// A cell that is not a number.
     #[error("{place}, column `{column}`: {error}")]
     Cell {
-        /// Where.
+        /// The position of the row.
         place: RowPlace,
         /// The name of the column.
         column: String,
         /// The error of the cell.
         error: CellError,
     },
-    /// A column of another type.
+    /// A column of a type that is not numeric.
     #[error(
         "column `{column}` has the type {found}; numbers of the types DOUBLE, FLOAT, INT32 and INT64 are read"
     )]
     ColumnType {
         /// The name of the column.
         column: String,
-        /// Its type.
+        /// The type of the column.
         found: String,
     },
-    /// A codec that is not built in.
+    /// A compression codec that this build does not support.
     #[error(
         "column `{column}` is compressed with {codec}; write the file with Snappy or ZSTD or without compression (compression=\"snappy\" in pandas and polars)"
     )]
@@ -222,7 +222,7 @@ pub enum TableProblem {
 fn and_others(count: usize) -> String {
     match count {
         0 => String::new(),
-        1 => " (and 1 other column is not one either)".to_owned(),
+        1 => " (and 1 other column is not an input value either)".to_owned(),
         count => format!(" (and {count} other columns are not either)"),
     }
 }
@@ -249,33 +249,34 @@ impl fmt::Display for RowPlace {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CellError {
-    /// It is empty.
+    /// The cell is empty.
     #[error("the cell is empty; it must be a number")]
     Empty,
-    /// It has no value.
+    /// The cell is null.
     #[error("the cell is null; it must be a number")]
     Null,
-    /// It is not finite.
+    /// The number is not finite.
     #[error("the value is {value}; it must be a finite number")]
     NotFinite {
         /// The value.
         value: f64,
     },
-    /// It has a decimal comma, or one that separates thousands.
+    /// The cell has a decimal comma, or a comma that separates thousands.
     #[error("`{text}` has {}", without_comma(text))]
     DecimalComma {
         /// The text.
         text: String,
     },
-    /// It is text.
+    /// The cell contains text.
     #[error("`{text}` is not a number")]
     Text {
-        /// The text, at most 40 characters of it.
+        /// The text, at most 40 characters.
         text: String,
     },
 }
 
-/// What the comma may be, and what to write in its place. Three digits behind it may be thousands.
+/// The possible meanings of the comma, and the number to write instead. A comma before exactly
+/// three digits may separate thousands.
 fn without_comma(text: &str) -> String {
     let point = text.replace(',', ".");
     let is_group = |digits: &str| digits.len() == 3 && digits.bytes().all(|b| b.is_ascii_digit());

@@ -1,4 +1,4 @@
-//! The file of a table: what kind it is, its digest, and whether it is still the same.
+//! The file of a table: its format, its digest, and the check that it has not changed.
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read, Seek, SeekFrom};
@@ -23,7 +23,7 @@ pub(super) struct TableFile {
     name: String,
     kind: Kind,
     file: Mutex<File>,
-    /// Length and time when it was opened.
+    /// Length and modification time at the time of opening.
     state: State,
     digest: String,
 }
@@ -34,8 +34,7 @@ fn state(metadata: &Metadata) -> State {
     (metadata.len(), metadata.modified().ok())
 }
 
-/// Files that are often given in place of a table: their first bytes, what they are, and what to
-/// do.
+/// Formats that are often given instead of a table: their first bytes, their names, and what to do.
 const OTHERS: [(&[u8], &str, &str); 5] = [
     (b"ARROW1", "an Arrow file", "save it as Parquet"),
     (

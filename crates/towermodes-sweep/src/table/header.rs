@@ -7,7 +7,7 @@ use towermodes::{Change, TowerDescription};
 use super::error::{MOST_COLUMNS, TableProblem};
 use crate::first::first;
 
-/// The changes by the columns of a table.
+/// The changes that the columns of a table name.
 #[derive(Debug)]
 pub(super) struct Header {
     /// The names of all columns.
@@ -58,7 +58,7 @@ impl Header {
     }
 }
 
-/// Refuses names that no table of changes has.
+/// Refuses names that a table of changes cannot have.
 fn check(names: &[String]) -> Result<(), TableProblem> {
     if names.is_empty() || names.iter().all(|name| name.is_empty()) {
         return Err(TableProblem::NoColumns);

@@ -1,46 +1,46 @@
-//! The lines of a table in CSV as they are read: empty ones, ones that are too long, and quotation
-//! marks that are not closed.
+//! Checks of the lines of a CSV table while it is read: empty lines, lines that are too long, and
+//! quotation marks that are not closed.
 
 use std::io::{self, Read};
 
-/// A longer row is refused before it fills the memory.
+/// A longer row is refused, so that it does not use up the memory.
 pub(super) const MAX_LINE_BYTES: u64 = 64 << 20;
 
-/// A cell in quotation marks with more lines is one whose second quotation mark is missing: the
-/// reader of CSV would take the rows below for its text.
+/// In a quoted cell with more lines than this, the second quotation mark is missing: the CSV reader
+/// would read the following rows as its text.
 pub(super) const MAX_CELL_LINES: u64 = 100;
 
-/// A reader that fails at a row that no table has, and finds empty lines.
+/// A reader that fails at a row that is too long or not closed, and finds empty lines.
 pub(super) struct Lines<R> {
     reader: R,
     separator: u8,
     /// The line of the next byte, from 1.
     line: u64,
-    /// Bytes of the row, which may have several lines.
+    /// Number of bytes of the row so far, which may have several lines.
     row_bytes: u64,
     cell: Cell,
     /// The line in which the quoted cell begins.
     cell_line: u64,
-    /// Whether the last byte was a carriage return, to which a line feed belongs.
+    /// Whether the last byte was a carriage return, which may be followed by its line feed.
     is_returned: bool,
     /// An empty line that may be at the end of the file.
     last_empty: Option<u64>,
-    /// The first empty line that is before another one.
+    /// The first empty line that is followed by another line.
     pub(super) empty_line: Option<u64>,
     /// The error; the rows before it are read first.
     wrong: Option<Wrong>,
 }
 
-/// Where in a cell the reader is, by the rules of RFC 4180.
+/// The state of the reader within a cell, by the rules of RFC 4180.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Cell {
-    /// Before its first byte, where a quotation mark opens it.
+    /// Before the first byte, where a quotation mark opens a quoted cell.
     Start,
-    /// In plain text, where a quotation mark is one.
+    /// In plain text, where a quotation mark is part of the text.
     Plain,
     /// Between quotation marks.
     Quoted,
-    /// Behind a quotation mark that closes the cell or is doubled.
+    /// After a quotation mark that closes the cell or is the first of two.
     Closed,
 }
 
@@ -71,8 +71,8 @@ impl<R> Lines<R> {
         }
     }
 
-    /// Passes a whole row at once if it contains no quotation mark and no carriage return, as
-    /// nearly all rows do. For every other text returns false and passes nothing.
+    /// Reads a whole row at once if it contains no quotation mark and no carriage return, as nearly
+    /// all rows do. For any other text returns false and reads nothing.
     fn pass_plain(&mut self, line: &[u8]) -> bool {
         let is_at_start = self.row_bytes == 0 && self.cell == Cell::Start && !self.is_returned;
         let is_row = is_at_start && matches!(line, [_, .., b'\n']);
@@ -119,7 +119,7 @@ impl<R> Lines<R> {
         }
     }
 
-    /// `line` is the next one already.
+    /// Ends a row; `line` already is the next line.
     fn end_row(&mut self) {
         if self.row_bytes == 0 {
             self.last_empty.get_or_insert(self.line - 1);
@@ -168,8 +168,8 @@ mod tests {
     use super::Lines;
     use std::io::Read;
 
-    /// The result of reading a text in pieces of some bytes: lines passed, the empty line, the
-    /// error.
+    /// The result of reading a text in pieces of this many bytes: number of lines, the empty line,
+    /// the error.
     fn found(text: &str, piece: usize) -> (u64, Option<u64>, Option<String>) {
         let mut lines = Lines::new(text.as_bytes(), b',', 1);
         let mut buffer = vec![0; piece];

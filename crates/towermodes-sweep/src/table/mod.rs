@@ -1,7 +1,7 @@
 //! Tables of rows in files: a column for each change, CSV or Parquet.
 //!
-//! A table is read through once when it is opened: every mistake in it is found before the first
-//! row is solved. Afterwards any range of rows is read in bounded memory.
+//! A table is read completely when it is opened: every mistake in it is found before the first row
+//! is solved. Afterwards any range of rows is read with bounded memory.
 
 mod csv;
 mod error;
@@ -22,16 +22,16 @@ use towermodes_files::MAX_ROWS;
 use file::{Kind, TableFile};
 use header::Header;
 
-/// A table in a file: a column for each change, named by it (`rna.mass`,
+/// A table in a file: a column for each change, with the name of the change (`rna.mass`,
 /// `scale(stations[*].wall)`), and a row for each tower.
 ///
-/// Every column must be a number of the base: a column with another name is refused, so that a
-/// misspelled name never leaves a sweep unchanged. Columns that are no numbers of the tower are
-/// left out if their names begin with `#` or are in a list of columns to ignore.
+/// Every column must be an input value of the base: a column with another name is refused, so that
+/// a misspelled name is never ignored silently. Other columns are skipped if their names begin with
+/// `#` or are in a list of columns to ignore.
 ///
 /// CSV is separated by commas, semicolons or tabs and has decimal points; a name with a comma is in
 /// double quotes. Parquet has columns of the types DOUBLE, FLOAT, INT32 or INT64, compressed with
-/// Snappy or ZSTD or not at all.
+/// Snappy or ZSTD, or uncompressed.
 ///
 /// # Example
 /// ```
@@ -71,10 +71,10 @@ enum Content {
 }
 
 impl Table {
-    /// Opens a table for a base, and checks all of it.
+    /// Opens a table for a base, and checks all its cells.
     ///
     /// # Errors
-    /// [`TableError`] with the line or row, the column, and what would be right.
+    /// [`TableError`] with the line or row, the column, and a suggestion.
     pub fn open(
         path: &Path,
         base: &TowerDescription,
@@ -130,10 +130,10 @@ impl Table {
         self.file.digest()
     }
 
-    /// Reads rows, numbered from 0: the values of each row side by side.
+    /// Reads rows, numbered from 0: the values row by row.
     ///
     /// # Errors
-    /// [`TableError`] if the file has changed since it was opened, or cannot be read any more.
+    /// [`TableError`] if the file has changed since it was opened, or can no longer be read.
     ///
     /// # Panics
     /// If there are no such rows.

@@ -16,7 +16,7 @@ use super::error::{CellError, RowPlace, TableProblem};
 use super::file::TableFile;
 use super::header::Header;
 
-/// Rows that are checked at a time.
+/// Number of rows that are checked at a time.
 const BLOCK: u64 = 16_384;
 
 /// A checked table in Parquet.
@@ -68,7 +68,7 @@ impl ParquetTable {
         Ok((header, rows, table))
     }
 
-    /// Number of rows, which must be that of all row groups.
+    /// Number of rows; it must equal the sum over all row groups.
     fn rows(&self) -> Result<u64, TableProblem> {
         let metadata = self.reader.metadata();
         let said = metadata.file_metadata().num_rows();
@@ -84,7 +84,7 @@ impl ParquetTable {
         }
     }
 
-    /// The header with the columns of values; refuses columns that have no numbers.
+    /// The header with the columns of values; refuses columns without numbers.
     fn leaves(&self, header: Header) -> Result<Header, TableProblem> {
         let schema = self.reader.metadata().file_metadata().schema_descr();
         let mut columns = Vec::new();
@@ -129,7 +129,7 @@ impl ParquetTable {
         Ok(())
     }
 
-    /// Reads rows.
+    /// Reads a range of rows.
     pub(super) fn read(
         &self,
         file: &TableFile,
@@ -179,7 +179,7 @@ impl ParquetTable {
     }
 }
 
-/// Whether a column has numbers; else its type in words.
+/// Checks that a column has numbers; the error is its type as text.
 fn number_type(column: &ColumnDescriptor) -> Result<(), String> {
     if column.max_rep_level() > 0 || column.max_def_level() > 1 {
         return Err("of a list or a group".to_owned());

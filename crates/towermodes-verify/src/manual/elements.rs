@@ -1,4 +1,4 @@
-//! The elements compared with independent dense solutions, with more digits than the paper has.
+//! The elements compared with independent dense solutions, which have more digits than the paper.
 
 use towermodes::{Family, Method, TowerDescription};
 

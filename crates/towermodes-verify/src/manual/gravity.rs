@@ -29,8 +29,9 @@ const COLUMN: [(f64, &str); 7] = [
 
 const SOURCE: &str = "power series of the column's equation, 40 digits";
 
-/// Near buckling λ² is the small difference of elastic and geometric stiffness. It is
-/// 1/(1 − α/7.84) times as sensitive as either, and so is the error after extrapolation.
+/// Near buckling λ² is the small difference of elastic and geometric stiffness. Its relative
+/// sensitivity to either is larger by the factor 1/(1 − α/7.84), and so is the error after
+/// extrapolation.
 const NEAR_BUCKLING: f64 = 1e-6;
 
 pub(super) fn cases() -> Vec<Case> {

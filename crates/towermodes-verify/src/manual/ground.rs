@@ -1,4 +1,4 @@
-//! Monopiles in soil by layers.
+//! Monopiles in layers of soil.
 
 use towermodes::{ApiEdition, Method};
 use towermodes::{

@@ -22,7 +22,7 @@ pub(super) const CHAPTER: Chapter = Chapter {
 const TABLE_1: &str = "Nikolić & Šalinić, Table 1";
 const TABLE_2: &str = "Nikolić & Šalinić, Table 2";
 
-/// A column of a table: method, segments, bending, torsion, axial; no bending values where those of
+/// A column of a table: method, segments, bending, torsion, axial; no bending values if those of
 /// the table cannot be reproduced.
 type Column = (Method, usize, &'static str, &'static str, &'static str);
 
@@ -78,8 +78,8 @@ const TOP_MASS: [Column; 5] = [
     (Method::Cardanic, 20, "", "11.9463", "7.1130"),
 ];
 
-/// A value printed for `rmje` that the element does not give: source, segments, family, correct
-/// value, reason.
+/// A value printed for `rmje` that differs from the result of the element: source, segments,
+/// family, correct value, reason.
 type Misprinted = (&'static str, usize, Family, f64, &'static str);
 
 const MISPRINTS: [Misprinted; 3] = [

@@ -1,4 +1,4 @@
-//! The reference tower with all that couples and holds its motions.
+//! The reference tower with everything that couples motions or supports them.
 
 use towermodes::{Family, Method, TowerDescription};
 
@@ -37,7 +37,7 @@ pub(super) fn cases() -> Vec<Case> {
     cases
 }
 
-/// Modes by their place in the list of all modes.
+/// Modes by their index in the list of all modes.
 fn coupled() -> Vec<Case> {
     let case = |name, tower, values: &str| {
         let expected = Expected::lowest(values);

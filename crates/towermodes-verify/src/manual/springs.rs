@@ -30,7 +30,7 @@ const SPRINGS: [([f64; 2], &str); 8] = [
     ([0.01, 100.0], "0.0999737522 5.52540072 29.93764202"),
 ];
 
-/// The same under a tip mass μ = 1.3.
+/// The same quantities with a tip mass μ = 1.3.
 const SPRINGS_AND_TIP: [([f64; 2], &str); 3] = [
     ([RIGID, 10.0], "1.21781731 14.05509831 45.42558088"),
     ([RIGID, 100.0], "1.37565700 15.77747054 49.76673411"),

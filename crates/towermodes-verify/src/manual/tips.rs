@@ -44,9 +44,10 @@ const BESIDE_SOURCE: &str = "frequency equations of bending with torsion and of 
 /// bending with axial motion.
 ///
 /// With L = m = EI = 1 a tube has EA = 1/r², GJ = 0.8 (G = 0.4 E) and the polar inertia 2r² per
-/// length. Clamped, bending v is a sum of cosh βx − cos βx and sinh βx − sin βx with λ = β², twist
-/// φ of sin(λ r √2.5 x), stretch u of sin(λ r x). At the tip, with the velocities of the mass's
-/// centre per λ, y = v + ε v′ + d φ, x = w + ε w′ and z = u − d w′:
+/// length. For the clamped beam the deflection v is a sum of cosh βx − cos βx and sinh βx − sin βx
+/// with λ = β², the twist φ of sin(λ r √2.5 x), the axial displacement u of sin(λ r x). At the tip,
+/// with the velocities of the centre of mass divided by λ, y = v + ε v′ + d φ, x = w + ε w′ and z =
+/// u − d w′:
 ///
 /// | side-side and torsion | fore-aft and stretch |
 /// |---|---|

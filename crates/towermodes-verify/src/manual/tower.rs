@@ -75,7 +75,7 @@ fn sheared(kappa: f64) -> TowerDescription {
     }
 }
 
-/// Cowper's κ of a thin tube of this steel, 2(1+ν)/(4+3ν) = 0.53057.
+/// Cowper's κ of a thin tube with the Poisson's ratio of this steel, 2(1+ν)/(4+3ν) = 0.53057.
 fn thin_tube() -> f64 {
     let nu = reference().materials[0].poissons_ratio();
     2.0 * (1.0 + nu) / (4.0 + 3.0 * nu)

@@ -21,7 +21,7 @@ pub(super) const CHAPTER: Chapter = Chapter {
 
 const SOURCE: &str = "real multiblade matrices, dense eigensolver";
 
-/// The digits of the source are those of its elements: 4e-8 at most for the NREL 5 MW turbine.
+/// The accuracy of the source is limited by its elements: 4e-8 at most for the NREL 5 MW turbine.
 const ALLOWANCE: f64 = 4e-8;
 
 pub(super) fn cases() -> Vec<Case> {
@@ -107,7 +107,7 @@ pub(super) fn cases() -> Vec<Case> {
     ]
 }
 
-/// With the weight of all that compresses the tower.
+/// With the weight of all masses that compress the tower.
 fn under_weight() -> Case {
     let tower = TowerDescription {
         gravity_m_per_s2: 9.80665,

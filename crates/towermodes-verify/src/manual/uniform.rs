@@ -15,11 +15,11 @@ pub(super) const CHAPTER: Chapter = Chapter {
         rods they are β in ω = β √(E/ρ)/L, or √(G/ρ) in torsion.",
 };
 
-/// The error of a chain of rigid bodies after extrapolation: of order n⁻⁴, and rising with the
+/// The error of a chain of rigid bodies after extrapolation: of order n⁻⁴, and proportional to the
 /// fourth power of the order of the mode.
 const CHAIN_ALLOWANCE: f64 = 2e-8;
 
-/// The reference beam, and the default method extrapolated.
+/// The runs of the reference beam: reference solution, and the default method extrapolated.
 pub(super) fn runs() -> Vec<Run> {
     vec![
         Run::spectral(),

@@ -32,7 +32,7 @@ pub(super) fn cases() -> Vec<Case> {
     bending.into_iter().chain([rods()]).collect()
 }
 
-/// Torsion and axial motion of the beam in soil: β of both rods, as without soil.
+/// Torsion and axial motion of the beam in soil: β of both rods, which the soil does not change.
 fn rods() -> Case {
     let beam = Uniform::new(0.02, None).in_soil(100.0);
     let wave_m_per_s = (Uniform::YOUNGS_MODULUS_PA / Uniform::DENSITY_KG_PER_M3).sqrt();

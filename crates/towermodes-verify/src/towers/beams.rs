@@ -1,4 +1,4 @@
-//! Beams whose frequencies the literature has, as multiples of a unit.
+//! Beams with frequencies from the literature, as multiples of a unit.
 
 use std::f64::consts::{PI, TAU};
 
@@ -25,8 +25,8 @@ impl Uniform {
     /// Density, kg/m³.
     pub const DENSITY_KG_PER_M3: f64 = 8000.0;
 
-    /// A tube with slenderness r = √(I/A)/L and E/(κG) = s, with κ = 1/2 where it shears; G = 0.4 E
-    /// where it does not.
+    /// A tube with slenderness r = √(I/A)/L and E/(κG) = s, with κ = 1/2 if it has shear
+    /// deformation; otherwise G = 0.4 E.
     pub fn new(r: f64, s: Option<f64>) -> Self {
         let (length, e) = (Self::LENGTH_M, Self::YOUNGS_MODULUS_PA);
         // I/A = (d² + dᵢ²)/16 with dᵢ = 0.9 d.
@@ -90,7 +90,7 @@ impl Uniform {
         self
     }
 
-    /// In soil k L⁴/(EI) over its whole height, against translation in both planes.
+    /// In soil of stiffness k L⁴/(EI) over the whole height, against translation in both planes.
     pub fn in_soil(mut self, k: f64) -> Self {
         let spring = k * self.bending_n_m2() / Self::LENGTH_M.powi(4);
         let row = |height_m| SoilRow {
@@ -105,7 +105,7 @@ impl Uniform {
         self
     }
 
-    /// Under a gravity α = m g L³/(EI).
+    /// With gravity α = m g L³/(EI).
     pub fn under_gravity(mut self, alpha: f64) -> Self {
         let weight = alpha * self.bending_n_m2() / Self::LENGTH_M.powi(3);
         self.description.gravity_m_per_s2 = weight / self.mass_per_length;
@@ -154,15 +154,16 @@ impl Tapered {
     /// A tube so thin that it is a wedge: depth 1 − cx and width 1 − wx give A ∝ depth·width, I ∝
     /// depth³·width.
     ///
-    /// The wall is 1e-9 of the diameter, which is also how far A and I are from these laws.
+    /// The wall is 1e-9 of the diameter; this is also the relative deviation of A and I from these
+    /// laws.
     pub fn wedge(c: f64, w: f64) -> Self {
         let (d, t) = (Self::DIAMETER_M, 1e-9 * Self::DIAMETER_M);
         let top = [d * (1.0 - c), t * (1.0 - w)];
         Self::of_tubes([d, t], top, d / 8.0_f64.sqrt())
     }
 
-    /// Width alone tapers: A and I ∝ 1 − cx, as a table of two rows; the side-side plane is four
-    /// times as stiff, which doubles its frequencies.
+    /// A beam of which only the width tapers: A and I ∝ 1 − cx, as a table of two rows; the
+    /// side-side plane is four times as stiff, which doubles its frequencies.
     pub fn width(c: f64) -> Self {
         let gyration_m = 0.5;
         let row = |height_m: f64, share: f64| {

@@ -8,7 +8,7 @@ use towermodes::{
 
 use super::{reference, reference_350t};
 
-/// The reference tower with a rotor-nacelle assembly of 350 t whose centre is beside the axis.
+/// The reference tower with a rotor-nacelle assembly of 350 t whose centre of mass is off the axis.
 pub fn reference_eccentric() -> TowerDescription {
     TowerDescription {
         name: "reference, eccentric RNA".into(),
@@ -17,7 +17,7 @@ pub fn reference_eccentric() -> TowerDescription {
     }
 }
 
-/// The same on foundation springs.
+/// The eccentric reference tower on foundation springs.
 pub fn reference_on_springs() -> TowerDescription {
     TowerDescription {
         name: "reference, eccentric RNA, springs".into(),
@@ -49,8 +49,9 @@ pub fn reference_in_soil() -> TowerDescription {
     }
 }
 
-/// The rotor-nacelle assembly of the OC3 deck of BModes. Its xx includes the generator as J_g q²,
-/// although a locked rotor has J_g; the reference values of this manual are for these numbers.
+/// The rotor-nacelle assembly of the OC3 deck of BModes. Its xx includes the generator inertia as
+/// J_g q², although with a locked rotor it would be J_g; the reference values of this manual were
+/// computed with these numbers.
 fn eccentric_machine() -> Rna {
     Rna {
         mass_kg: 350e3,
@@ -66,8 +67,8 @@ fn eccentric_machine() -> Rna {
 }
 
 /// A tower under gravity on a flooded monopile in two layers of soil and 20 m of water, with a
-/// concrete section, guy wires, a transformer and an eccentric rotor-nacelle assembly: everything
-/// that a bottom-fixed tower can have.
+/// concrete section, guy wires, a transformer and an eccentric rotor-nacelle assembly: all features
+/// of a bottom-fixed tower.
 pub fn monopile() -> TowerDescription {
     let steel = Material::from_poissons_ratio(8500.0, 2.1e11, 0.3);
     let concrete = Material::from_poissons_ratio(2500.0, 3.6e10, 0.2);

@@ -37,7 +37,7 @@ fn reference_steel() -> Material {
     Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)
 }
 
-/// The same with a point mass of 350 t on top.
+/// The reference tower with a point mass of 350 t on top.
 pub fn reference_350t() -> TowerDescription {
     TowerDescription {
         rna: Rna::point(350e3),
@@ -46,7 +46,8 @@ pub fn reference_350t() -> TowerDescription {
     }
 }
 
-/// The same with the rotor-nacelle assembly of the NREL 5 MW turbine, centred on the axis.
+/// The reference tower with the rotor-nacelle assembly of the NREL 5 MW turbine, centred on the
+/// axis.
 pub fn reference_with_machine() -> TowerDescription {
     TowerDescription {
         rna: centred_rna(
@@ -105,7 +106,8 @@ pub fn reference_table(wall: f64, top_kg: f64) -> TowerDescription {
     }
 }
 
-/// A stepped tower of two materials with everything a tower of tubes can have, for invariances.
+/// A stepped tower of two materials with all features of a tower of tubes, for tests of
+/// invariances.
 pub fn rich() -> TowerDescription {
     let steel = Material::from_poissons_ratio(7850.0, 2.1e11, 0.3);
     let concrete = Material::from_poissons_ratio(2500.0, 3.6e10, 0.2);
@@ -136,7 +138,8 @@ pub fn rich() -> TowerDescription {
     }
 }
 
-/// A tower of elliptic sections with a step, whose bending planes differ in everything, as a table.
+/// A tower of elliptic sections with a step, as a table; all properties of the bending planes
+/// differ.
 pub fn elliptic() -> TowerDescription {
     let row = |height_m: f64, scale: f64| PropertyStation {
         height_m,

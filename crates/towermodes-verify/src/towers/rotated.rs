@@ -1,4 +1,4 @@
-//! A tower turned about its axis.
+//! A tower rotated about its axis.
 
 use std::sync::Arc;
 use towermodes::frame::{Frame, FrameFoundation, JointKind};
@@ -12,9 +12,9 @@ use towermodes::{
 /// A 3×3 matrix.
 type Matrix = [[f64; 3]; 3];
 
-/// The same tower turned by an angle (rad) about its axis: all that a tower of tubes can have
-/// beside its axis, and nothing of a table of properties or of soil, whose planes must be equal for
-/// this to be the same tower.
+/// The tower rotated by an angle (rad) about its axis: all features of a tower of tubes that are
+/// off the axis, except a table of properties and soil, whose planes must be equal for this to be
+/// the same tower.
 ///
 /// A vector v becomes R v, a tensor R J Rᵀ and a matrix for the six motions diag(R, R) K diag(R,
 /// R)ᵀ.
@@ -59,7 +59,7 @@ impl Turn {
         std::array::from_fn(|i| (0..3).map(|k| self.0[i][k] * v[k]).sum())
     }
 
-    /// R A Rᵀ: R times each column, then times each row of that.
+    /// R A Rᵀ: R times each column, then R times each row of the product.
     fn tensor(&self, a: Matrix) -> Matrix {
         transposed(transposed(a).map(|column| self.vector(column))).map(|row| self.vector(row))
     }
@@ -89,7 +89,7 @@ impl Turn {
         turned
     }
 
-    /// A frame of tubes; the axis of the tower goes through the origin.
+    /// A frame of tubes; the axis of the tower passes through the origin.
     fn frame(&self, foundation: &FrameFoundation) -> Foundation {
         let mut description = foundation.frame.description().clone();
         for joint in &mut description.joints {

@@ -4,7 +4,7 @@ use towermodes::blade::{BladeDescription, BladeSection};
 use towermodes::turbine::{Generator, Hub, TurbineDescription};
 use towermodes::{Inertia, Planes, Properties, PropertyStation, RigidBody, TowerDescription};
 
-/// Properties that neither twist nor stretch.
+/// Properties with infinite torsional and axial stiffness.
 fn bending_only(mass_kg_per_m: f64, bending_n_m2: f64) -> Properties {
     Properties {
         mass_kg_per_m,
@@ -17,7 +17,7 @@ fn bending_only(mass_kg_per_m: f64, bending_n_m2: f64) -> Properties {
     }
 }
 
-/// A section of a blade that bends only.
+/// A section of a blade that has only bending flexibility.
 fn section([span, twist_deg, mass_kg_per_m, flap_n_m2, edge_n_m2]: [f64; 5]) -> BladeSection {
     BladeSection {
         span,
@@ -31,7 +31,7 @@ fn section([span, twist_deg, mass_kg_per_m, flap_n_m2, edge_n_m2]: [f64; 5]) -> 
     }
 }
 
-/// A uniform tower of 80 m that bends and twists.
+/// A uniform tower of 80 m with bending and torsional flexibility.
 pub fn uniform_tower() -> TowerDescription {
     let station = |height_m| PropertyStation {
         height_m,
@@ -88,8 +88,8 @@ pub fn uniform_turbine(is_locked: bool) -> TurbineDescription {
     }
 }
 
-/// The tower of the NREL 5 MW turbine on land, as in its model for OpenFAST: height over 87.6 m,
-/// kg/m, N m². It neither twists nor stretches.
+/// The tower of the NREL 5 MW turbine on land, as in its model for OpenFAST: height divided by 87.6
+/// m, kg/m, N m². It is rigid in torsion and axially.
 pub fn nrel_tower() -> TowerDescription {
     let station = |[share, mass, bending]: [f64; 3]| PropertyStation {
         height_m: 87.6 * share,
@@ -162,11 +162,11 @@ const NREL_TOWER: [[f64; 3]; 11] = [
     [1.0, 2536.27, 1.1582e11],
 ];
 
-/// The factor on the masses of the blade's sections.
+/// The factor on the masses of the blade sections.
 const NREL_MASS_FACTOR: f64 = 1.04536;
 
-/// Sections of the blade: fraction of the span, twist (degrees), kg/m, flap and edge stiffness (N
-/// m²).
+/// Sections of the blade: fraction of the span, twist (degrees), kg/m, flapwise and edgewise
+/// stiffness (N m²).
 const NREL_BLADE: [[f64; 5]; 49] = [
     [0.0, 13.308, 678.935, 1.811e10, 1.81136e10],
     [0.00325, 13.308, 678.935, 1.811e10, 1.81136e10],

@@ -77,7 +77,7 @@ pub enum NoDerivative {
     /// The input value can be changed in one direction only, or the frequency has a kink: its
     /// slopes in the two directions differ.
     #[error(
-        "the frequency changes differently, or cannot change, in the two directions of the input value"
+        "the derivatives for an increase and a decrease of the input value differ, or one of them does not exist"
     )]
     OneSided,
 }

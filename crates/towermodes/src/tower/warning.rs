@@ -484,7 +484,7 @@ pub enum Warning {
     /// Weights, buoyancy and mooring lines of a floating tower that are not in balance.
     #[error(
         "weight, buoyancy and the vertical force of the mooring lines leave {} N, {:.1} % of the weight: the platform does not float at its reference position; check masses, \
-         ballast, displaced volume and lengths of lines (the force of moorings that are given as a matrix belongs to the buoyancy)",
+         ballast, displaced volume and lengths of lines (if the moorings are given as a matrix, include their vertical force in the buoyancy)",
         Rounded(*.residual_n), 100.0 * .share
     )]
     OutOfBalance {

@@ -48,7 +48,7 @@ async function copied(text: string, from: HTMLButtonElement): Promise<void> {
     say("Copied");
   } catch {
     from.textContent = "Not allowed";
-    say("The browser does not allow to copy");
+    say("The browser does not allow copying");
   }
   setTimeout(() => (from.textContent = "Copy"), 1500);
 }

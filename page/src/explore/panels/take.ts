@@ -126,6 +126,6 @@ async function copy(source: HTMLElement): Promise<void> {
     setText(byId("copied"), "Copied.");
   } catch {
     getSelection()?.selectAllChildren(source);
-    setText(byId("copied"), "The browser does not allow to copy. The lines are selected: copy them by Ctrl-C.");
+    setText(byId("copied"), "The browser does not allow copying. The lines are selected: copy them by Ctrl-C.");
   }
 }

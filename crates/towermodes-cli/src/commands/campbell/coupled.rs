@@ -13,10 +13,10 @@ use crate::args::{RotorArguments, TurbineArguments};
 use crate::failure::Failure;
 use crate::progress::Progress;
 
-/// Speeds that are usually added where curves come close, for the progress.
+/// Usual number of speeds that are added where curves come close, for the progress.
 const USUALLY_ADDED: usize = 10;
 
-/// The coupled diagram of a turbine, with what it is compared with.
+/// The coupled diagram of a turbine, with the modes of the tower with a rigid rotor for comparison.
 pub(crate) struct Coupled {
     pub(crate) diagram: CoupledCampbell,
     pub(crate) against: Vec<AgainstRigid>,
@@ -26,21 +26,21 @@ pub(crate) struct Coupled {
     pub(crate) warnings: Vec<Warning>,
 }
 
-/// The diagram that is shown.
+/// The type of diagram.
 pub(crate) enum Diagram {
     /// The diagram of the whole turbine.
     Turbine(Box<Turbine>),
     /// The diagram of the tower with a rigid rotor, with a note on the reason if a user could
-    /// expect the other.
+    /// expect the diagram of the turbine.
     Tower(Vec<Note>),
 }
 
-/// The diagram of the turbine if the input has one, unless options ask for that of the tower alone;
-/// `alone` is whether options are given that only the tower alone has.
+/// The diagram of the turbine if the input has one, unless options request the diagram of the tower
+/// alone; `alone` is whether options are given that apply only to the tower alone.
 ///
 /// # Errors
-/// At the place of what no turbine can have; wrong usage for options of a
-/// turbine without one.
+/// At the place of an impossible value of the turbine; wrong usage for options of a turbine if
+/// there is none.
 pub(crate) fn diagram_of(
     input: &TowerInput,
     arguments: &TurbineArguments,
@@ -65,7 +65,8 @@ pub(crate) fn diagram_of(
     }
 }
 
-/// Why the rotor is rigid in the diagram, where the files describe one that could turn.
+/// The note on the reason why the rotor is rigid in the diagram, although the files describe a
+/// rotating rotor.
 fn without_turbine(input: &TowerInput) -> Vec<Note> {
     let Some(reason) = &input.turbine_missing else {
         return Vec::new();
@@ -74,10 +75,10 @@ fn without_turbine(input: &TowerInput) -> Vec<Note> {
     vec![reason.clone(), Note::suspicious(rigid)]
 }
 
-/// Solves a turbine at its rotor speeds, and its tower with the machine as a rigid body.
+/// Solves a turbine at its rotor speeds, and its tower with a rigid rotor-nacelle assembly.
 ///
 /// # Errors
-/// Of the solver, of [`coupled_campbell`].
+/// Those of the solver and of [`coupled_campbell`].
 pub(crate) fn coupled_of(
     input: &TowerInput,
     (tower, turbine): (&Tower, &Turbine),
@@ -117,7 +118,7 @@ pub(crate) fn coupled_of(
     })
 }
 
-/// The notes on the rotor's speeds and on the turbine; those on a blade alone do not apply.
+/// The notes on the rotor speeds and on the turbine; notes on a single blade do not apply.
 fn notes(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
     let speeds = input.rotor_notes.speeds.iter();
     let speeds = speeds.filter(|_| !chosen.speeds_are_given);

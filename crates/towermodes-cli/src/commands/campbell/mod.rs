@@ -26,14 +26,14 @@ use crate::progress::{Progress, solve};
 use crate::recipe::{Analysis, Answer};
 use crate::table;
 
-/// The diagram that is shown.
+/// The type of diagram, with its data.
 pub(crate) enum Plan {
     /// The diagram of the whole turbine.
     Turbine(Box<Turbine>),
     /// The diagram of the tower with a rigid rotor.
     Tower {
         options: Options,
-        /// Why the rotor is rigid, if a user could expect the other diagram.
+        /// Why the rotor is rigid, if a user could expect the diagram of the turbine.
         reason: Vec<Note>,
         /// Factors of the stiffness of the soil.
         factors: Option<Vec<f64>>,
@@ -119,7 +119,7 @@ impl Analysis for CampbellArguments {
 }
 
 impl CampbellArguments {
-    /// The note on the weight that verdicts are without, unless --no-gravity was given.
+    /// The note that the verdicts neglect the weight, unless --no-gravity was given.
     fn weight_left_out(&self, tower: &Tower, campbell: &Campbell) -> Vec<Note> {
         if self.input.reading.options().without_gravity {
             return Vec::new();
@@ -182,7 +182,7 @@ impl CampbellArguments {
         Ok(answer.notes(notes).warnings(&warnings).verdict(verdict))
     }
 
-    /// Frequencies and verdicts for these factors of the stiffness of the soil.
+    /// Frequencies and verdicts for these factors of the soil stiffness.
     fn band(
         &self,
         input: &TowerInput,
@@ -199,7 +199,8 @@ impl CampbellArguments {
     }
 }
 
-/// That verdicts for softer and stiffer soil are those of the other diagram.
+/// The note that verdicts for softer and stiffer soil exist only for the diagram with a rigid
+/// rotor.
 fn without_band(input: &TowerInput) -> Vec<Note> {
     let sentence = "the verdicts apply to the stiffness of soil and foundation in the file; --uncoupled also gives verdicts for half and twice this stiffness, with a rigid rotor";
     let has_soil = input.description.stands_in_soil();
@@ -209,12 +210,13 @@ fn without_band(input: &TowerInput) -> Vec<Note> {
         .collect()
 }
 
-/// Solves for the modes that the options ask for and, if no number was given, for as many more as
-/// the excitations of the rotor reach. The rotor is that of the file, with the options of the
-/// command line in place of its data; without operating speeds it has the ends of the diagram.
+/// Solves for the number of modes in the options and, if this number was not given, for as many
+/// more as are needed to cover the excitations of the rotor. The rotor is that of the file, with
+/// its data replaced by the options of the command line; without operating speeds its speeds are
+/// the ends of the diagram.
 ///
 /// # Errors
-/// Of [`solve`].
+/// Those of [`solve`].
 pub(crate) fn solved_to_reach(
     input: &TowerInput,
     tower: &Tower,
@@ -242,11 +244,11 @@ pub(crate) fn solved_to_reach(
     Ok((solution?, chosen))
 }
 
-/// The Campbell diagram of a solved tower, and of its blade if the files have one, with the notes
-/// on it.
+/// The Campbell diagram of a solved tower, and of its blade if the files contain one, with its
+/// notes.
 ///
 /// # Errors
-/// Of [`assess`].
+/// Those of [`assess`].
 pub(crate) fn campbell_of(
     input: &TowerInput,
     (tower, solution): (&Tower, &Solution),
@@ -282,7 +284,7 @@ pub(crate) fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
     notes.chain(assumed_blades(chosen)).collect()
 }
 
-/// The note on a number of blades that nobody gave.
+/// The note on an assumed number of blades.
 fn assumed_blades(chosen: &ChosenRotor) -> Option<Note> {
     chosen.blades_are_assumed.then(|| {
         Note::suspicious(format!(
@@ -351,7 +353,7 @@ fn for_verdicts(reasons: &[NotChecked], format: FileFormat) -> String {
     }
 }
 
-/// The rotor data of a tower file, or the option in their place.
+/// The rotor data of a tower file, or the option that replaces them.
 const NO_ROTOR: &str = "give --rpm LOWEST,HIGHEST, or add to the tower file:
   [rotor]
   blades = 3

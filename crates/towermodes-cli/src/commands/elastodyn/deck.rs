@@ -76,14 +76,14 @@ fn of_description(
     Ok((tower, Some(input), notes))
 }
 
-/// The notes of an input whose modes are fitted by polynomials.
+/// The notes of an input for whose modes polynomials are fitted.
 fn notes_for_shapes(input: &TowerInput) -> Vec<Note> {
     let mut notes = input.notes.clone();
     notes.extend(input.note_on_shapes());
     notes
 }
 
-/// The deck; with `--from` the files of its RNA are not needed.
+/// The deck; with `--from`, its files of the RNA are not needed.
 fn read_deck(arguments: &DeckArguments) -> Result<ElastoDynDeck, Failure> {
     let own = arguments.reading.options();
     let options = ReadOptions {

@@ -61,7 +61,8 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     deliver_bytes(&picture, output)
 }
 
-/// Writes a picture that a command draws beside its result, with the name of the tower above it.
+/// Writes the picture that a command draws in addition to its result, with the name of the tower
+/// above it.
 pub(crate) fn deliver_picture(
     figure: Figure,
     tower: &Tower,

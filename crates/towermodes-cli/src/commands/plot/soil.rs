@@ -17,9 +17,9 @@ fn factors() -> Vec<f64> {
         .collect()
 }
 
-/// The number of depths of scour, with zero.
+/// The number of depths of scour, including zero.
 const DEPTHS: usize = 9;
-/// The deepest scour in diameters of the pile.
+/// The largest depth of scour, in diameters of the pile.
 const DEEPEST_DIAMETERS: f64 = 2.0;
 
 /// First bending frequencies against the stiffness of the soil.
@@ -75,7 +75,7 @@ pub(super) fn scour(
     Ok(drawn(figure, &solution, failed))
 }
 
-/// The rotor whose excitations are drawn, none if it is unknown, and the required margin.
+/// The rotor whose excitations are drawn (none if it is unknown), and the required margin.
 fn rotor(input: &TowerInput, arguments: &PlotArguments) -> (Option<Rotor>, f64) {
     let rotor = arguments.rotor.rotor(input).map(|chosen| chosen.rotor);
     (rotor, arguments.rotor.options().margin)

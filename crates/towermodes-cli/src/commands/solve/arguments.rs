@@ -185,7 +185,7 @@ impl SolveArguments {
         Ok(())
     }
 
-    /// Checks that --points is not given where the elements of the file fix the heights.
+    /// Checks that --points is not given if the elements of the file determine the heights.
     ///
     /// # Errors
     /// The message for an option that does not apply.
@@ -202,8 +202,8 @@ impl SolveArguments {
         Ok(())
     }
 
-    /// Checks that the options apply to a rotating blade, which has one method and the elements of
-    /// its deck.
+    /// Checks that the options apply to a rotating blade: it has one method, and its deck gives
+    /// the elements.
     ///
     /// # Errors
     /// The message for an option that does not apply.
@@ -281,7 +281,7 @@ impl SolveArguments {
         self.model.check_for_substructure()
     }
 
-    /// Checks that no option is given that needs modes: mooring lines have none.
+    /// Checks that no option is given that applies to modes, because mooring lines have none.
     ///
     /// # Errors
     /// The message for an option that does not apply.
@@ -306,7 +306,7 @@ impl SolveArguments {
         }
     }
 
-    /// The options for a substructure, and how its interface joints are held.
+    /// The options for a substructure, and whether its interface joints are fixed.
     ///
     /// # Errors
     /// The message for a method that does not apply.

@@ -25,7 +25,7 @@ use crate::progress::solve;
 use crate::table;
 use crate::terminal;
 
-/// The table of a tower whose files describe a turbine with flexible blades ends with this line.
+/// The last line of the table of a tower whose files describe a turbine with flexible blades.
 const RIGID: &str =
     "rotor and nacelle are one rigid body here; `towermodes campbell` gives the coupled modes\n";
 
@@ -173,8 +173,8 @@ fn of_substructure(
     Ok(result)
 }
 
-/// The modes of a frame: the number that is asked for, or the default as far as it has them, with a
-/// note where they cannot be resolved.
+/// The modes of a frame: the requested number, or the default number as far as the frame has so
+/// many modes, with a note if they cannot be resolved.
 fn solved_frame(
     frame: &Frame,
     options: &FrameOptions,
@@ -246,7 +246,7 @@ fn with_picture(
     }
 }
 
-/// A relative error above this value gives a note.
+/// A larger relative error gives a note.
 const COARSE: f64 = 0.01;
 
 /// A note if the elements of a deck are too few for its modes.

@@ -1,7 +1,7 @@
 //! `towermodes solve` for several files: one table with a column for each file.
 //!
-//! A file that fails is reported, and the others are solved. The exit code is that of the worst
-//! failure.
+//! A file that fails is reported, and the others are solved. The exit code is the largest of all
+//! failures.
 
 use std::path::Path;
 
@@ -62,7 +62,7 @@ fn name_of(file: &Path) -> String {
     }
 }
 
-/// The tower of one file.
+/// The tower of one of the files.
 fn tower_of(file: &Path, arguments: &SolveArguments) -> Result<TowerInput, Failure> {
     let tower = match input(file, &arguments.reading)? {
         Input::Tower(tower) => *tower,
@@ -85,8 +85,8 @@ fn tower_of(file: &Path, arguments: &SolveArguments) -> Result<TowerInput, Failu
     Ok(tower)
 }
 
-/// Refuses an output that is one of the files. It is checked before anything is solved: the result
-/// of the other files must not overwrite a file that belongs to a file with a failure.
+/// Refuses an output that is one of the input files. This is checked before anything is solved: the
+/// result must not overwrite an input file, even if that file fails.
 fn check_overwriting(
     read: &[(String, Result<TowerInput, Failure>)],
     arguments: &SolveArguments,

@@ -20,7 +20,7 @@ const EXAMPLES: &str = "Examples:
 
 The columns of a table are names of input values: rna.mass replaces the value, scale(stations[*].wall) multiplies it, add(stations[*].height) adds to it; `towermodes parameters FILE` lists the names. A sweep study is a TOML file with [sweep]: base, sampling, distributions and correlations.
 
-The results are one table, written as the rows are solved. A file gets its name when it is complete: a command that is interrupted leaves no file of this name. For many processors or hours of work, let each process write a slice of the rows (--rows) into a file of its own; existing files need not be computed again. --check reads the slices of one sweep: it refuses slices of another sweep and names the missing rows. A row that cannot be solved has the error message in the column error.
+The results are one table, written as the rows are solved. A file gets its name when it is complete: a command that is interrupted leaves no file of this name. For many processors or hours of work, let each process write a slice of the rows (--rows) into a file of its own; existing files need not be computed again. --check reads the slices of one sweep: it refuses slices of another sweep and names the missing rows. If a row cannot be solved, its column `error` contains the error message.
 
 Exit codes: 0 all rows are computed, possibly with rows that could not be solved (a warning gives their number), 1 the output failed, or with --check rows are missing or a slice is damaged, 2 wrong usage or wrong input. After Ctrl-C the exit status is 130.";
 
@@ -92,7 +92,7 @@ pub(crate) struct SweepArguments {
 
     /// Solve no rows, but print mean and standard deviation of each frequency from derivatives at
     /// the mean values of a study, the share of each varied input in the variance and, if the
-    /// rotor is known, the probability that an excitation is closer than 5 %
+    /// rotor is known, the probability that an excitation is closer than 5 % to the frequency
     #[arg(long)]
     pub(crate) first_order: bool,
 
@@ -124,12 +124,12 @@ impl Ending for SweepFormat {
     const DEFAULT: Self = Self::Csv;
 }
 
-/// Successive rows.
+/// Successive rows, as on the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct RowRange {
     /// The first row, from 0.
     pub(crate) start: u64,
-    /// The row behind the last one.
+    /// The number after the last row.
     pub(crate) end: u64,
 }
 
@@ -161,7 +161,7 @@ impl SweepArguments {
         self.threads.unwrap_or_else(available)
     }
 
-    /// The requested results: these options, otherwise those of a study.
+    /// The requested results: these options, otherwise the options of the study.
     pub(crate) fn results(&self, study: SweepResults) -> SweepResults {
         SweepResults {
             modes: self.modes.clone().unwrap_or(study.modes),
@@ -198,7 +198,7 @@ impl SweepArguments {
     /// Checks the options that need a file, and the file extension of the picture.
     ///
     /// # Errors
-    /// The message for an option that has no effect, or cannot have the requested one.
+    /// The message for an option that has no effect, or whose effect is impossible.
     pub(crate) fn check(&self) -> Result<(), &'static str> {
         if self.first_order {
             return self.check_first_order();
@@ -242,7 +242,7 @@ impl SweepArguments {
 }
 
 impl SweepArguments {
-    /// Refuses options for rows and their results.
+    /// Refuses options that apply only to rows and their results.
     fn check_first_order(&self) -> Result<(), &'static str> {
         let of_rows = [
             self.output.is_some(),

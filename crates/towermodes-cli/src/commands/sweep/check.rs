@@ -1,4 +1,4 @@
-//! Slices of one sweep that are there: whether all of its rows are in them.
+//! Existing slices of one sweep: checks whether they contain all of its rows.
 
 use std::ops::Range;
 
@@ -10,10 +10,10 @@ use super::planned::Planned;
 use crate::failure::Failure;
 use crate::messages::{report, warn_texts};
 
-/// The ranges of missing rows that are named.
+/// Largest number of ranges of missing rows that the message lists.
 const MOST_RANGES: usize = 10;
 
-/// Reads all slices, and refuses them if a row is missing.
+/// Reads all slices; a missing row is an error.
 pub(super) fn run(
     planned: &Planned,
     rows: Range<u64>,
@@ -38,7 +38,7 @@ pub(super) fn run(
     if failed > 0 {
         let verb = if failed == 1 { "has" } else { "have" };
         warn_texts(&[format!(
-            "{failed} of {} {verb} no complete result; the column error has the reason",
+            "{failed} of {} {verb} no complete result; the column `error` states the reason",
             counted(slices.rows(), "row")
         )]);
     }

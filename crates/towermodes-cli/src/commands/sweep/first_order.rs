@@ -1,4 +1,4 @@
-//! The scatter of frequencies to first order, without rows.
+//! The scatter of frequencies to first order, without solving rows.
 
 use towermodes::Solver;
 use towermodes_files::write_first_order_json;

@@ -15,10 +15,10 @@ use super::selection::Selection;
 use crate::failure::Failure;
 use crate::output::check_place;
 
-/// Of more rows a random selection is drawn.
+/// If there are more rows, a random selection is drawn.
 const MOST_ROWS: u64 = 1_000_000;
 
-/// Checks that the picture can be written, before hours are spent on its results.
+/// Checks that the picture can be written, before hours are spent on the results.
 pub(super) fn check(arguments: &SweepArguments) -> Result<(), Failure> {
     match arguments.picture() {
         Some((path, _)) => check_place(path),

@@ -1,4 +1,4 @@
-//! The planned sweep: the base, the changes, the modes, the values.
+//! The plan of a sweep: the base, the changes, the modes, the values.
 
 use std::ops::Range;
 use std::path::Path;
@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::input::set_numbers;
 use crate::messages::{note, warn};
 
-/// A sweep that can begin.
+/// A checked sweep.
 pub(super) struct Planned {
     /// The tower that is varied.
     pub(super) input: TowerInput,
@@ -45,7 +45,7 @@ impl Planned {
         })
     }
 
-    /// The rows that are asked for; a range may end behind the last row.
+    /// The selected rows; the range may end beyond the last row.
     pub(super) fn rows(&self, arguments: &SweepArguments) -> Result<Range<u64>, Failure> {
         let count = self.source.rows();
         match arguments.rows {
@@ -57,7 +57,7 @@ impl Planned {
 
 type Parts = (TowerInput, Vec<Change>, SweepSource, SweepResults);
 
-/// A tower file and a table.
+/// The sweep of a tower file and a table.
 fn of_table(table: &Path, arguments: &SweepArguments) -> Result<Parts, Failure> {
     let reading = &arguments.reading;
     let input = tower_of(&arguments.file, &reading.options(), reading)?;
@@ -70,7 +70,7 @@ fn of_table(table: &Path, arguments: &SweepArguments) -> Result<Parts, Failure> 
     Ok((input, changes, SweepSource::Table(Box::new(table)), results))
 }
 
-/// A study, with the files that it names.
+/// The sweep of a study, with the files that it names.
 fn of_study(arguments: &SweepArguments) -> Result<Parts, Failure> {
     let study = study_of(&arguments.file)?;
     let reading = &arguments.reading;
@@ -118,8 +118,8 @@ fn check_reading(
         .map_err(|problem| Failure::usage(as_keys(problem)))
 }
 
-/// A message in which the options of readers are keys of a study: `--tower-height` is
-/// `[sweep.reading] tower_height`. Keys have no `--set`.
+/// A message in which options of the command line are replaced by keys of a study: `--tower-height`
+/// by `[sweep.reading] tower_height`. `--set` has no key.
 fn as_keys(message: &str) -> String {
     let words = message
         .split(' ')
@@ -132,7 +132,7 @@ fn as_keys(message: &str) -> String {
     words.collect::<Vec<_>>().join(" ")
 }
 
-/// Refuses a setting that no row keeps.
+/// Refuses a setting of an input value that every row changes.
 fn check_settings(
     reading: &ReadingArguments,
     changes: &[Change],

@@ -1,5 +1,5 @@
-//! Progress of a sweep: rows, rate, time left. On a terminal it is the last line; in a log it is a
-//! line from time to time.
+//! Progress of a sweep: rows, rate, remaining time. On a terminal it is the last line; in a log a
+//! line is written from time to time.
 
 use std::fmt::Write as _;
 use std::io::IsTerminal;
@@ -45,7 +45,7 @@ impl SweepProgress {
         }
     }
 
-    /// So many rows are done.
+    /// Sets the number of finished rows.
     pub(super) fn set(&mut self, rows: u64) {
         let Some(bar) = &self.bar else {
             let elapsed = self.begun.elapsed();

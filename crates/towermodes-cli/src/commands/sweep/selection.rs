@@ -2,11 +2,11 @@
 
 /// A random selection of rows, the same for each run.
 ///
-/// Every second or third row would leave out values of a grid, whose last number varies fastest.
-/// So a row is selected by a hash of its number, which has no period.
+/// Every second or third row would omit some values of a grid, whose last input varies fastest.
+/// Therefore a row is selected by a hash of its number, which has no period.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Selection {
-    /// Rows with a larger hash are left out.
+    /// Rows with a larger hash are not selected.
     largest: u64,
 }
 
@@ -49,7 +49,7 @@ mod tests {
         assert_eq!(mixed(2), 0x06c4_5d18_8009_454f);
     }
 
-    /// In a grid the last number varies fastest: each of its levels has the same share of the
+    /// In a grid the last input varies fastest: each of its levels has the same share of the
     /// selected rows, within four standard deviations of a random selection.
     #[test]
     fn every_level_of_a_grid_is_selected_alike() {

@@ -59,17 +59,17 @@ fn account(rows: &Range<u64>, all: u64) -> String {
     }
 }
 
-/// Number of rows without complete result, and the first of them.
+/// Number of rows without a complete result, and the first of them.
 fn failures(solved: &Solved) -> Option<String> {
     let (row, sentence) = solved.first_failure.as_ref()?;
     let (count, rows) = (solved.failed, counted(solved.rows, "row"));
     let verb = if count == 1 { "has" } else { "have" };
     Some(format!(
-        "{count} of {rows} {verb} no complete result (column error); the first is row {row}, counted from 0: {sentence}"
+        "{count} of {rows} {verb} no complete result (see the column `error`); the first is row {row}, counted from 0: {sentence}"
     ))
 }
 
-/// Says how many of the rows have unusual values or coupled motions, and the first sentences on
+/// Prints how many of the rows have unusual input or coupled motions, with the first messages about
 /// them.
 fn remark(solved: &Solved) {
     let has = |of: &RowRemarks| if of.rows == 1 { "has" } else { "have" };

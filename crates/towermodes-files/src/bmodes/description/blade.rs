@@ -1,7 +1,7 @@
 //! A blade from a deck.
 //!
-//! BModes changes the signs of twist and offsets; the blade of the library has the signs that
-//! BModes computes with.
+//! BModes changes the signs of twist and offsets; the blade of the library has the signs with which
+//! BModes computes.
 
 use std::f64::consts::PI;
 
@@ -16,7 +16,7 @@ use crate::error::ReadError;
 use crate::input::BladeInput;
 use crate::note::Note;
 
-/// The blade of a deck; with `compatible` as BModes 3.00 understands it.
+/// The blade of a deck; with `compatible` as interpreted by BModes 3.00.
 pub(crate) fn blade(
     deck: &Deck,
     sources: Sources,
@@ -63,8 +63,8 @@ fn check_hub(deck: &Deck) -> Result<(), Diagnostic> {
     Err(hub.wrong(kind).with_hint("BModes refuses other values too"))
 }
 
-/// A principal moment of inertia may be negative by this fraction of the largest: tensors are
-/// rounded.
+/// A principal moment of inertia may be negative by this fraction of the largest, because tensors
+/// in files are rounded.
 const ROUNDED: f64 = 1e-9;
 
 /// The body at the tip in the axes of the blade: X edgewise, Y flapwise, Z spanwise.
@@ -95,7 +95,7 @@ fn tip(deck: &Deck, compatible: bool) -> Result<RigidBody, Diagnostic> {
     })
 }
 
-/// Version 3.00 reads the record of `cm_axial` as `cm_loc`, and changes its sign once for each row
+/// Version 3.00 reads the record of `cm_axial` as `cm_loc`, and reverses its sign once for each row
 /// of the section file.
 fn tip_center(deck: &Deck, compatible: bool) -> [f64; 3] {
     let (lateral_m, axial) = (deck.tip.cm_loc_m.value, &deck.tip.cm_axial_m);
@@ -108,8 +108,8 @@ fn tip_center(deck: &Deck, compatible: bool) -> [f64; 3] {
     [if is_negated { 0.0 - read_m } else { read_m }, 0.0, 0.0]
 }
 
-/// A row in the library's terms: factors applied, signs changed, the inertias in the axes of the
-/// stiffnesses.
+/// A row as a section of the library: factors applied, signs changed, the inertias in the axes of
+/// the stiffnesses.
 fn section(row: &Section, deck: &Deck) -> Result<BladeSection, Diagnostic> {
     let factors = &deck.multipliers;
     let [flap_inertia_kg_m, edge_inertia_kg_m] = inertias(row, deck)?;
@@ -135,8 +135,8 @@ fn section(row: &Section, deck: &Deck) -> Result<BladeSection, Diagnostic> {
     Err(row[Column::CenterOfMass].wrong(DiagnosticKind::Overflow { what }))
 }
 
-/// `BModes` takes the inertias as those about the axis of the blade: with less than the mass at its
-/// centre has, its mass matrix is indefinite.
+/// `BModes` interprets the inertias as inertias about the axis of the blade: if they are smaller
+/// than the contribution of the offset mass, its mass matrix is indefinite.
 fn check_center_of_mass(row: &Section, section: BladeSection) -> Result<BladeSection, Diagnostic> {
     if section.inertia_suits_center_of_mass() {
         return Ok(section);
@@ -209,7 +209,7 @@ fn turned_inertias(deck: &Deck, notes: &mut Notes) {
     }
 }
 
-/// The centrifugal force of the tip mass stiffens the blade.
+/// The note on the centrifugal force of the tip mass, which stiffens the blade.
 fn tip_pull(deck: &Deck, compatible: bool, notes: &mut Notes) {
     let (mass, general) = (&deck.tip.mass_kg, &deck.general);
     if mass.value == 0.0 || general.rot_rpm.value * general.rpm_mult.value == 0.0 {

@@ -10,7 +10,7 @@ use crate::places::Places;
 pub(super) const MAIN: usize = 0;
 pub(super) const SECTIONS: usize = 1;
 
-/// A tower's description as it grows, with the places of its values.
+/// The description of a tower while it is built, with the places of its values.
 pub(crate) struct Building {
     pub(crate) description: TowerDescription,
     pub(crate) places: Places,
@@ -18,7 +18,7 @@ pub(crate) struct Building {
 }
 
 impl Building {
-    /// A tower of which only the name and the ends are known yet.
+    /// A tower of which only the name and the ends are known.
     pub(crate) fn of(deck: &Deck) -> Result<Self, Diagnostic> {
         let description = TowerDescription {
             name: deck.title.clone(),

@@ -15,7 +15,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 use crate::places::TABLE;
 
-/// Sets the foundation: how the base is held.
+/// Sets the foundation: the support of the base.
 pub(crate) fn foundation(
     deck: &Deck,
     building: &mut Building,
@@ -115,7 +115,7 @@ impl Platform {
     }
 }
 
-/// Springs and inertia at the base, which with `hub_conn` 3 can neither move vertically nor twist.
+/// Springs and inertia at the base; with `hub_conn` 3 vertical motion and torsion are fixed.
 fn on_springs(hub: HubConnection, about_base: StiffnessFoundation) -> Foundation {
     let mut foundation = about_base;
     if hub == HubConnection::AxiallyAndInTorsion {

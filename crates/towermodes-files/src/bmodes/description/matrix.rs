@@ -5,19 +5,19 @@ use towermodes::space::{SpatialMatrix, transform_matrix};
 use super::super::records::deck::MatrixValue;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// Entries that should be equal may differ by this fraction of the larger: matrices are results of
-/// panel and mooring programs.
+/// Entries that should be equal may differ by this fraction of the larger one, because matrices are
+/// results of panel and mooring programs, …
 const SLIGHTLY: f64 = 0.05;
 /// … or by this fraction of their diagonal entries.
 const NOISE: f64 = 1e-3;
 
-/// The pair of entries of a matrix that should be equal and differ most, as a fraction of the
-/// larger.
+/// The pair of entries of a matrix that should be equal and differ most, with the difference as a
+/// fraction of the larger one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Asymmetry {
-    /// From 1.
+    /// Row of the entry, from 1.
     pub(crate) row: usize,
-    /// From 1; greater than `row`.
+    /// Column of the entry, from 1; greater than `row`.
     pub(crate) column: usize,
     pub(crate) upper: f64,
     pub(crate) lower: f64,
@@ -47,8 +47,7 @@ pub(super) fn asymmetry<const N: usize>(matrix: &[[f64; N]; N]) -> Option<Asymme
     unequal.max_by(|a, b| a.fraction().total_cmp(&b.fraction()))
 }
 
-/// The mean of a matrix and its transpose; an error where they differ by more than rounding and
-/// noise.
+/// The mean of a matrix and its transpose; an error if they differ by more than rounding and noise.
 pub(super) fn symmetrized<const N: usize>(
     matrix: &MatrixValue<N>,
     name: &str,
@@ -74,8 +73,8 @@ pub(super) fn symmetrized<const N: usize>(
     }))
 }
 
-/// A stiffness or an inertia about a point on the axis at `height_m`, as one about the base at
-/// `base_m`.
+/// A stiffness or an inertia matrix about a point on the axis at `height_m`, transformed to the
+/// base at `base_m`.
 pub(super) fn about_base(mut matrix: SpatialMatrix, height_m: f64, base_m: f64) -> SpatialMatrix {
     transform_matrix(&mut matrix, height_m - base_m);
     matrix

@@ -1,5 +1,5 @@
-//! Notes on a deck: where BModes 3.00 departs from the description of its input, and what this
-//! reader decided.
+//! Notes on a deck: differences of BModes 3.00 from the description of its input, and decisions of
+//! this reader.
 
 use super::super::Sources;
 use super::super::records::deck::{Deck, Dialect, HubConnection, Section, WireSet};
@@ -8,29 +8,29 @@ use super::super::records::reader::Value;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 
-/// Notes with their places: whether in the section file, and the byte.
+/// Notes with their places: whether the place is in the section file, and the byte.
 #[derive(Debug, Default)]
 pub(crate) struct Notes {
     list: Vec<(bool, usize, Note)>,
 }
 
 impl Notes {
-    /// On a value of the main file.
+    /// Adds a note on a value of the main file.
     pub(crate) fn on<T>(&mut self, value: &Value<T>, note: Note) {
         self.at(value.span.start, note);
     }
 
-    /// On a byte of the main file.
+    /// Adds a note on a byte of the main file.
     pub(crate) fn at(&mut self, byte: usize, note: Note) {
         self.list.push((false, byte, note));
     }
 
-    /// On a byte of the section file.
+    /// Adds a note on a byte of the section file.
     pub(super) fn at_sections(&mut self, byte: usize, note: Note) {
         self.list.push((true, byte, note));
     }
 
-    /// All of them, in the order of the files.
+    /// All notes, in the order of the files.
     pub(crate) fn of(mut self, sources: &Sources) -> Vec<Note> {
         self.list
             .sort_by_key(|(in_sections, byte, _)| (*in_sections, *byte));
@@ -42,7 +42,7 @@ impl Notes {
     }
 }
 
-/// The behaviour of BModes 3.00, the correct one, and which of the two is used.
+/// The text on the behaviour of BModes 3.00, the correct behaviour, and which of the two is used.
 pub(super) fn choice(compatible: bool, bmodes: &str, right: &str) -> String {
     if compatible {
         format!("as in BModes 3.00 (--bmodes-quirks), which {bmodes}; without that option {right}")
@@ -73,7 +73,7 @@ pub(super) fn tower_notes(
     Ok(modes(deck, notes))
 }
 
-/// The version of the deck, where it is not BModes 3.00.
+/// The note on the version of the deck, if it is not BModes 3.00.
 pub(crate) fn dialect(deck: &Deck, notes: &mut Notes) {
     if deck.dialect != Dialect::V1 {
         return;
@@ -102,7 +102,7 @@ pub(crate) fn modes(deck: &Deck, notes: &mut Notes) -> usize {
     asked.value.min(freedoms)
 }
 
-/// Numbers beyond the columns of the section file.
+/// The note on numbers beyond the columns of the section file.
 pub(crate) fn extra_columns(deck: &Deck, notes: &mut Notes) {
     if let Some(byte) = deck.extra_columns {
         let message =
@@ -169,7 +169,7 @@ fn wires(set: &WireSet, compatible: bool, notes: &mut Notes) {
     notes.on(&set.stiffness_n_per_m, Note::compatibility(message));
 }
 
-/// A rotor speed, which has no meaning for a tower.
+/// The note on a rotor speed, which has no meaning for a tower.
 fn rotor_speed(deck: &Deck, notes: &mut Notes) {
     let (rpm, factor) = (&deck.general.rot_rpm, &deck.general.rpm_mult);
     if rpm.value * factor.value != 0.0 {
@@ -181,7 +181,7 @@ fn rotor_speed(deck: &Deck, notes: &mut Notes) {
     }
 }
 
-/// A pitch, which has no meaning for a tower.
+/// The note on a pitch angle, which has no meaning for a tower.
 fn pitch(deck: &Deck, compatible: bool, notes: &mut Notes) -> Result<(), Diagnostic> {
     let pitch = &deck.general.pitch_deg;
     if pitch.value == 0.0 {
@@ -190,7 +190,7 @@ fn pitch(deck: &Deck, compatible: bool, notes: &mut Notes) -> Result<(), Diagnos
     let (flap, edge) = (deck.multipliers.flap.value, deck.multipliers.edge.value);
     if flap == edge {
         let message = format!(
-            "bl_thp is {}; a tower has no pitch; with equal stiffness in both planes it has no effect",
+            "bl_thp (pitch angle) is {}; it has no effect on a tower with equal stiffness in both planes",
             pitch.value
         );
         notes.on(pitch, Note::left_out(message));
@@ -202,7 +202,7 @@ fn pitch(deck: &Deck, compatible: bool, notes: &mut Notes) -> Result<(), Diagnos
     );
     if compatible {
         let kind = DiagnosticKind::Unsupported(message);
-        let hint = "a tower has no pitch: write 0, or omit --bmodes-quirks";
+        let hint = "write 0, because a tower has no pitch angle, or omit --bmodes-quirks";
         return Err(pitch.wrong(kind).with_hint(hint));
     }
     let message = format!("{message}; here 0 is used");
@@ -210,10 +210,11 @@ fn pitch(deck: &Deck, compatible: bool, notes: &mut Notes) -> Result<(), Diagnos
     Ok(())
 }
 
-/// Stiffnesses and inertias of both planes may differ by this fraction: they are printed rounded.
+/// Stiffnesses and inertias of both planes may differ by this fraction, because printed values are
+/// rounded.
 const EQUAL: f64 = 1e-6;
 
-/// Columns of the section file that are not used for towers.
+/// The note on columns of the section file that are not used for towers.
 fn unread_columns(deck: &Deck, notes: &mut Notes) {
     let differs =
         |a: &Value<f64>, b: &Value<f64>| (a.value - b.value).abs() > EQUAL * b.value.abs();
@@ -237,7 +238,7 @@ fn unread_columns(deck: &Deck, notes: &mut Notes) {
     offsets(deck, notes);
 }
 
-/// Twist and offsets of centres, which are not used for towers either.
+/// The note on twist and offsets of centres, which are not used for towers.
 fn offsets(deck: &Deck, notes: &mut Notes) {
     let unread = [
         Column::Twist,
@@ -254,7 +255,7 @@ fn offsets(deck: &Deck, notes: &mut Notes) {
     }
 }
 
-/// Parts of the support that have no effect.
+/// The note on parts of the support that have no effect.
 fn support(deck: &Deck, notes: &mut Notes) {
     let floats = deck.general.hub.value == HubConnection::Free;
     let unread = deck.support.unread.iter();

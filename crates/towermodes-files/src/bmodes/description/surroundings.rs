@@ -60,7 +60,7 @@ impl Building {
     }
 
     /// The rows of a table in the datum of the tower. The places of their heights and values are
-    /// remembered; `keys` are the names of the value.
+    /// stored; `keys` are the names of the value.
     fn rows_of(
         &mut self,
         table: &Distribution,
@@ -82,8 +82,8 @@ impl Building {
 }
 
 /// The rows of a table with heights in the datum of the tower, up to the tower top: as in BModes,
-/// rows above it have no effect. Empty if no row is along the flexible tower, or all values are
-/// zero.
+/// rows above it have no effect. Empty if no row is within the height of the flexible tower, or if
+/// all values are zero.
 fn in_datum(table: &Distribution, ends: Ends, notes: &mut Notes) -> Vec<(f64, f64)> {
     let Ends { base_m, top_m } = ends;
     let length_m = top_m - base_m;
@@ -117,7 +117,8 @@ fn in_datum(table: &Distribution, ends: Ends, notes: &mut Notes) -> Vec<(f64, f6
     within.into_iter().map(in_datum).collect()
 }
 
-/// The rows up to a length, the last one interpolated there, and whether rows beyond are cut off.
+/// The rows up to a length, with the last one interpolated there, and whether rows beyond it are
+/// omitted.
 fn up_to(length_m: f64, rows: &[(f64, f64)]) -> (Vec<(f64, f64)>, bool) {
     let mut within: Vec<(f64, f64)> = Vec::with_capacity(rows.len());
     for &(z, value) in rows {
@@ -135,8 +136,8 @@ fn up_to(length_m: f64, rows: &[(f64, f64)]) -> (Vec<(f64, f64)>, bool) {
     (within, false)
 }
 
-/// Wires in the library's terms; with `compatible` they are springs of n k cos² horizontally and
-/// none vertically, as in BModes 3.00.
+/// Wires as in the library; with `compatible` they are springs of n k cos² horizontally and none
+/// vertically, as in BModes 3.00.
 fn wires(set: &WireSet, height_m: f64, compatible: bool) -> Wires {
     let cosine = set.angle_deg.value.to_radians().cos();
     let as_written = set.stiffness_n_per_m.value;

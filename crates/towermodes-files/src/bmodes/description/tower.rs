@@ -14,7 +14,7 @@ use crate::input::{FileFormat, OutLayout, TowerInput};
 use crate::places::TABLE;
 use crate::prescribed::Prescribed;
 
-/// The tower of a deck; with `compatible` as BModes 3.00 understands it.
+/// The tower of a deck; with `compatible` as interpreted by BModes 3.00.
 pub(crate) fn tower(
     deck: &Deck,
     sources: Sources,
@@ -134,7 +134,7 @@ fn tip_center(deck: &Deck, compatible: bool) -> [f64; 3] {
     }
 }
 
-/// A row in the library's terms. The `edge_` columns are not used for towers.
+/// A row as a section of the library. The `edge_` columns are not used for towers.
 fn properties(section: &Section, deck: &Deck, compatible: bool) -> Result<Properties, Diagnostic> {
     let factors = &deck.multipliers;
     let named = Planes {

@@ -1,4 +1,4 @@
-//! The content of a BModes deck: every value as it is written, with its place.
+//! The content of a BModes deck: every value as written, with its place.
 
 use std::ops::{Index, Range};
 
@@ -17,17 +17,17 @@ pub(crate) struct Deck {
     pub(crate) general: General,
     pub(crate) tip: Tip,
     pub(crate) multipliers: Multipliers,
-    /// Element borders from the root, as fractions of the flexible length.
+    /// Element boundaries from the root, as fractions of the flexible length.
     pub(crate) borders: Vec<Value<f64>>,
     /// The support of a tower; empty for a blade.
     pub(crate) support: Support,
     /// The rows of the section file, by increasing `sec_loc`.
     pub(crate) sections: Vec<Section>,
-    /// The byte of the section file where numbers begin that are not read.
+    /// The byte of the section file at which the first unused number begins.
     pub(crate) extra_columns: Option<usize>,
 }
 
-/// The version of BModes whose records a deck has.
+/// The version of BModes for which a deck is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Dialect {
     /// BModes 1.03: no `cm_axial`, no `tow_support`.
@@ -53,7 +53,7 @@ pub(crate) enum HubConnection {
     Clamped,
     /// 2: free, or on springs.
     Free,
-    /// 3: held axially and in torsion, on springs otherwise.
+    /// 3: fixed axially and in torsion, otherwise on springs.
     AxiallyAndInTorsion,
 }
 
@@ -87,7 +87,7 @@ pub(crate) struct General {
 pub(crate) struct Tip {
     pub(crate) mass_kg: Value<f64>,
     pub(crate) cm_loc_m: Value<f64>,
-    /// Not in version 1.03.
+    /// Missing in version 1.03.
     pub(crate) cm_axial_m: Option<Value<f64>>,
     /// ixx, iyy, izz, ixy, izx, iyz.
     pub(crate) inertia_kg_m2: [Value<f64>; 6],
@@ -120,12 +120,12 @@ impl Index<Column> for Section {
     }
 }
 
-/// The support of a tower apart from its base.
+/// The support of a tower except its base.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Support {
     pub(crate) wires: Vec<WireSet>,
     pub(crate) offshore: Option<Box<Offshore>>,
-    /// Values in the file that are not read.
+    /// Values in the file that are not used.
     pub(crate) unread: Vec<Unread>,
 }
 
@@ -133,7 +133,7 @@ pub(crate) struct Support {
 #[derive(Debug, Clone)]
 pub(crate) struct WireSet {
     pub(crate) count: Value<usize>,
-    /// From 1 at the base.
+    /// Number of the node, from 1 at the base.
     pub(crate) node: Value<usize>,
     pub(crate) stiffness_n_per_m: Value<f64>,
     pub(crate) angle_deg: Value<f64>,
@@ -173,7 +173,7 @@ pub(crate) struct MatrixValue<const N: usize> {
 }
 
 impl<const N: usize> MatrixValue<N> {
-    /// The bytes of all its rows.
+    /// The byte range of all its rows.
     pub(crate) fn span(&self) -> Range<usize> {
         let start = self.spans.first().map_or(0, |span| span.start);
         start..self.spans.last().map_or(start, |span| span.end)
@@ -196,7 +196,7 @@ pub(crate) struct Distribution {
 /// A value times its factor.
 ///
 /// # Errors
-/// [`DiagnosticKind::Overflow`] if the product is infinite, or zero by underflow.
+/// [`DiagnosticKind::Overflow`] if the product is infinite, or underflows to zero.
 pub(crate) fn scaled(value: &Value<f64>, factor: &Value<f64>) -> Result<f64, Diagnostic> {
     let product = value.value * factor.value;
     let is_lost = product == 0.0 && value.value != 0.0 && factor.value != 0.0;

@@ -1,5 +1,5 @@
-//! The likely cause of a wrong record: a missing line, a decimal comma, a unit at its number, an
-//! empty value.
+//! The likely cause of a wrong record: a missing line, a decimal comma, a unit next to the number,
+//! an empty value.
 
 use super::parameters::Parameter;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -8,9 +8,9 @@ use crate::records::{Items, Token, decimal_comma};
 /// The text that may follow the values of a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum After {
-    /// Text; a further number is one too many.
+    /// Text; a further number is a mistake.
     Text,
-    /// Anything: templates keep more numbers than are read.
+    /// Anything: templates contain more numbers than are read.
     Anything,
 }
 
@@ -55,7 +55,7 @@ pub(super) fn check_label(
         .with_hint(hint))
 }
 
-/// A mistake in a value, with what would be right as far as the text of the value shows it.
+/// A mistake in a value, with a suggestion as far as the text of the value allows one.
 pub(super) fn explained(mistake: Diagnostic, token: &Token<'_>) -> Diagnostic {
     let text = token.text;
     if let Ok(number) = token.number("") {

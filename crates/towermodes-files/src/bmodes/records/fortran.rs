@@ -1,4 +1,5 @@
-//! Numbers in fields as gfortran prints them; what does not fit its field is asterisks.
+//! Numbers in fields as gfortran prints them; a number that does not fit its field is printed as
+//! asterisks.
 
 /// `Fw.d`.
 pub(crate) fn fixed(value: f64, width: usize, digits: usize) -> String {
@@ -14,7 +15,7 @@ pub(crate) fn fixed(value: f64, width: usize, digits: usize) -> String {
     in_field(&text, width)
 }
 
-/// `Ew.d`: the mantissa is less than 1, and an exponent of three digits takes the place of the E.
+/// `Ew.d`: the mantissa is less than 1, and an exponent of three digits replaces the letter E.
 pub(crate) fn exponential(value: f64, width: usize, digits: usize) -> String {
     if !value.is_finite() {
         return not_finite(value, width);

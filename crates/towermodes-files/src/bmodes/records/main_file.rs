@@ -1,4 +1,4 @@
-//! Reads the main file of a deck up to the elements, which blades and towers have in common.
+//! Reads the main file of a deck up to the elements; this part is the same for blades and towers.
 
 use super::deck::{Beam, Deck, Dialect, General, HubConnection, Multipliers, Support, Tip};
 use super::diagnose::After;
@@ -8,8 +8,8 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::input::OutLayout;
 use crate::records::Line;
 
-/// The main file up to and with the element borders: the deck without the support of a tower and
-/// without sections, and the name of its section file.
+/// The main file up to and including the element boundaries: the deck without the support of a
+/// tower and without sections, and the name of its section file.
 pub(crate) fn main_file<'a>(reader: &mut Reader<'a>) -> Result<(Deck, Value<&'a str>), Diagnostic> {
     reader.comment("the first line, a comment,")?;
     // A title is free text, whatever it looks like.
@@ -107,8 +107,8 @@ fn tip(reader: &mut Reader<'_>, beam: Beam) -> Result<(Dialect, Tip), Diagnostic
     Ok((dialect, tip))
 }
 
-/// Whether the record of `cm_axial` is missing because version 1.03 has none. The following lines
-/// show it: the six inertias come first, and a tower's file has no `tow_support`.
+/// Whether the record of `cm_axial` is missing because version 1.03 does not have it. The following
+/// lines show this: the six inertias come first, and a tower's file has no `tow_support`.
 fn lacks_cm_axial(reader: &Reader<'_>, beam: Beam) -> bool {
     let mut rest = reader.lines.clone().filter(|line| !line.is_blank());
     if rest.clone().next().and_then(Parameter::after_value) == Some(&p::CM_AXIAL) {
@@ -170,7 +170,7 @@ fn borders(reader: &mut Reader<'_>) -> Result<Vec<Value<f64>>, Diagnostic> {
 }
 
 /// The ends of a fraction of a length may differ from 0 and 1 by this much and are then set to
-/// them: decks are printed rounded.
+/// these values, because printed decks are rounded.
 pub(crate) const END: f64 = 1e-6;
 
 fn check_borders(mut borders: Vec<Value<f64>>) -> Result<Vec<Value<f64>>, Diagnostic> {

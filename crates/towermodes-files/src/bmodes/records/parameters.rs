@@ -1,5 +1,5 @@
-//! The parameters of a deck in the order of its records: the one table that reading, writing, names
-//! and messages go by.
+//! The parameters of a deck in the order of its records: the only table that is used for reading,
+//! writing, names and messages.
 //!
 //! Names: the sample files of BModes 3.00 (NREL, 2008) and the decks that other programs write.
 
@@ -36,7 +36,7 @@ pub(crate) enum Kind {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rule {
     pub(super) is_met: fn(f64) -> bool,
-    /// The range in words.
+    /// The range as text.
     pub(super) words: &'static str,
 }
 
@@ -87,7 +87,7 @@ impl Parameter {
         names.any(|known| known.eq_ignore_ascii_case(name))
     }
 
-    /// The other parameter whose name is on a line, if it is clearly one.
+    /// The other parameter whose name is on a line, if the name is unambiguous.
     pub(super) fn mistaken_for(&self, label: &str) -> Option<&'static Parameter> {
         let name = plain(label);
         (!self.is_called(name))
@@ -95,7 +95,7 @@ impl Parameter {
             .flatten()
     }
 
-    /// The parameter of a name, without regard to colons and brackets around it.
+    /// The parameter with a name, ignoring colons and brackets around it.
     pub(crate) fn called(label: &str) -> Option<&'static Parameter> {
         let name = plain(label);
         ALL.iter()
@@ -209,7 +209,7 @@ pub(crate) const GENERAL: [&Parameter; 12] = [
     &TAB_DELIM,
     &MID_NODE_TW,
 ];
-/// The records of the tip mass that every version has first.
+/// The records of the tip mass that come first in every version.
 pub(crate) const TIP: [&Parameter; 2] = [&TIP_MASS, &CM_LOC];
 /// The records of the inertia of the tip mass; before them BModes 3.00 has [`CM_AXIAL`].
 pub(crate) const TIP_INERTIA: [&Parameter; 6] =
@@ -233,7 +233,7 @@ pub(crate) const WIRES: [&Parameter; 4] = [&N_WIRES, &NODE_ATTACH, &WIRE_STFNESS
 pub(crate) const PLATFORM: [&Parameter; 3] = [&DRAFT, &CM_PFORM, &MASS_PFORM];
 /// The 6x6 matrices of the offshore block, after [`REF_MSL`].
 pub(crate) const MATRICES: [&Parameter; 3] = [&HYDRO_M, &HYDRO_K, &MOORING_K];
-/// A table along the height: the records of its number of rows, its heights and its values.
+/// A table over the height: the records of its number of rows, its heights and its values.
 pub(crate) type Table = [&'static Parameter; 3];
 /// The table of distributed added mass.
 pub(crate) const ADDED_MASS: Table = [&N_SECS_M_DISTR, &Z_DISTR_M, &DISTR_M];

@@ -1,4 +1,4 @@
-//! Reads a deck record by record, each value with its place, and notices missing and surplus lines
+//! Reads a deck record by record, each value with its place, and detects missing and surplus lines
 //! early.
 
 use std::iter::repeat_n;
@@ -9,7 +9,7 @@ use super::parameters::{Kind, Parameter};
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::records::{Items, Line, Lines, Token};
 
-/// A value and its bytes in the file.
+/// A value and its byte range in the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Value<T> {
     pub(crate) value: T,
@@ -31,7 +31,7 @@ impl<T> Value<T> {
     }
 }
 
-/// The part of a file that is not read yet.
+/// The part of a file that is not yet read.
 #[derive(Debug, Clone)]
 pub(crate) struct Reader<'a> {
     pub(crate) lines: Lines<'a>,
@@ -43,7 +43,7 @@ impl<'a> Reader<'a> {
         Self { lines }
     }
 
-    /// A comment record. A record that holds a parameter is a mistake.
+    /// A comment record. A record that contains a parameter is a mistake.
     pub(crate) fn comment(&mut self, what: &str) -> Result<Line<'a>, Diagnostic> {
         let line = self.lines.expect(what)?;
         let mut items = Items::new(line);
@@ -68,8 +68,8 @@ impl<'a> Reader<'a> {
         Err(mistake.with_hint("is a line above missing?"))
     }
 
-    /// The blank line and the heading between two blocks. The blank line may be missing: then the
-    /// values follow the first of two lines.
+    /// The blank line and the heading between two blocks. If the blank line is missing, the values
+    /// follow the first of two lines.
     pub(crate) fn heading(&mut self, heading: &str) -> Result<(), Diagnostic> {
         let first = self.comment(&format!("the (usually blank) line before {heading}"))?;
         if first.is_blank() || !self.value_follows() {
@@ -78,7 +78,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// Whether the next record holds a parameter: its name, several numbers, or one number alone.
+    /// Whether the next record contains a parameter: its name, several numbers, or a single number.
     fn value_follows(&self) -> bool {
         let is_lone_number = |line: Line<'a>| {
             let mut tokens = line.tokens();
@@ -88,13 +88,13 @@ impl<'a> Reader<'a> {
         next.is_some_and(is_lone_number) || self.clone().comment("").is_err_and(|_| next.is_some())
     }
 
-    /// Whether a heading comes next, not a value, and after it a value of a parameter.
+    /// Whether the next line is a heading instead of a value, followed by a value of a parameter.
     pub(super) fn block_follows(&self, heading: &str, first: &Parameter) -> bool {
         let mut rest = self.clone();
         !self.value_follows() && rest.heading(heading).is_ok() && rest.value(first).is_ok()
     }
 
-    /// Whether any of the lines left begins with a number.
+    /// Whether any of the remaining lines begins with a number.
     pub(super) fn values_follow(&self) -> bool {
         let mut lines = self.lines.clone();
         lines.any(|line| line.first().is_some_and(|token| token.is_number()))
@@ -107,7 +107,7 @@ impl<'a> Reader<'a> {
         first.is_some_and(|token| token.is_number())
     }
 
-    /// The parameters of a block, each on a record of its own; flags are 0 or 1.
+    /// The parameters of a block, one per record; flags are 0 or 1.
     pub(crate) fn block<const N: usize>(
         &mut self,
         parameters: [&Parameter; N],
@@ -119,7 +119,7 @@ impl<'a> Reader<'a> {
         values.try_into().map_err(|_| self.lines.ended("a record"))
     }
 
-    /// A parameter on a record of its own.
+    /// A parameter in its own record.
     pub(crate) fn value(&mut self, parameter: &Parameter) -> Result<Value<f64>, Diagnostic> {
         let line = self.lines.clone().expect_filled(&parameter.what())?;
         check_label(parameter, &Items::new(line), 1)?;
@@ -133,7 +133,7 @@ impl<'a> Reader<'a> {
         Ok(self.value(parameter)?.map(|count| count as usize))
     }
 
-    /// The name of a file on a record of its own.
+    /// The name of a file in its own record.
     pub(crate) fn path(&mut self, parameter: &Parameter) -> Result<Value<&'a str>, Diagnostic> {
         let line = self.lines.expect_filled(&parameter.what())?;
         check_label(parameter, &Items::new(line), 1)?;
@@ -155,13 +155,13 @@ impl<'a> Reader<'a> {
         Ok(Value { value, span })
     }
 
-    /// The record that an empty list takes.
+    /// Skips the record of an empty list.
     pub(crate) fn skipped(&mut self, parameter: &Parameter) -> Result<(), Diagnostic> {
         let line = self.lines.expect(&parameter.what())?;
         check_label(parameter, &Items::new(line), 0)
     }
 
-    /// A number of values of a parameter on any number of records.
+    /// A number of values of a parameter in any number of records.
     pub(crate) fn list(
         &mut self,
         parameter: &Parameter,
@@ -195,12 +195,12 @@ struct List<'p> {
     parameter: &'p Parameter,
     count: usize,
     values: Vec<Value<f64>>,
-    /// Commas since the last value.
+    /// Number of commas since the last value.
     commas: usize,
 }
 
 impl List<'_> {
-    /// The next value in messages: by its number, or the only one.
+    /// The name of the next value in messages: with its number, unless it is the only one.
     fn next_name(&self) -> String {
         match self.count {
             0 | 1 => self.parameter.what(),
@@ -220,7 +220,7 @@ impl List<'_> {
         Diagnostic::new(line.span(), kind).with_hint("remove it")
     }
 
-    /// Takes values from a record until it ends or the list is complete.
+    /// Reads values from a record until it ends or the list is complete.
     fn take(&mut self, items: &mut Items<'_>) -> Result<(), Diagnostic> {
         while self.values.len() < self.count {
             let Some(item) = items.next_item()? else {
@@ -240,7 +240,7 @@ impl List<'_> {
     }
 }
 
-/// The value of a token, of the type and in the range of its parameter.
+/// The value of a token, with the type and the range of its parameter.
 fn value_of(token: &Token<'_>, parameter: &Parameter, what: &str) -> Result<f64, Diagnostic> {
     let (value, rule) = match parameter.kind {
         Kind::Flag => (token.logical(what).map(|is| f64::from(u8::from(is))), None),

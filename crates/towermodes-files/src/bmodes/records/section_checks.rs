@@ -6,7 +6,7 @@ use super::parameters::Column;
 use super::reader::Value;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// The values that no section of such a beam can have.
+/// The mistakes in values that are impossible for a section of such a beam.
 pub(crate) fn wrong(row: &Section, beam: Beam) -> Vec<Diagnostic> {
     let is_blade = beam == Beam::Blade;
     // The column, and whether zero is allowed.
@@ -48,7 +48,7 @@ fn without_inertia(row: &Section, is_blade: bool) -> Option<Diagnostic> {
     Some(flap.wrong(kind).with_hint(hint))
 }
 
-/// Checks that `sec_loc` increases from 0 to 1, with steps; its ends are set to exactly these.
+/// Checks that `sec_loc` increases from 0 to 1, with steps; its ends are set to exactly 0 and 1.
 pub(super) fn check_locations(rows: &mut [Section]) -> Result<(), Diagnostic> {
     let last = rows.len() - 1;
     for (index, end, name) in [(0, 0.0, "first"), (last, 1.0, "last")] {

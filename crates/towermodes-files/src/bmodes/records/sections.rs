@@ -10,7 +10,7 @@ use super::section_checks::{check_locations, wrong};
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::records::{Items, Line, Token};
 
-/// Mistakes beyond this number are not listed.
+/// Largest number of mistakes that are listed.
 const MAX_MISTAKES: usize = 20;
 
 /// All rows, and the byte of the first number beyond the columns.
@@ -72,7 +72,7 @@ fn row(
     let extra = values.get(COLUMNS.len()).map(|value| value.span.start);
     if extra.is_some() && has_joined_numbers(&first) {
         let kind = DiagnosticKind::wrong_count_of("numbers", what, values.len(), COLUMNS.len());
-        let hint = "write decimal points, as 0.5, and blanks between numbers";
+        let hint = "write decimal points, for example 0.5, and blanks between numbers";
         return Err(Diagnostic::new(first.span(), kind).with_hint(hint));
     }
     let mut values = values.into_iter();
@@ -84,7 +84,7 @@ fn row(
     Ok((Section(row), extra))
 }
 
-/// The numbers of a row, on one record or on several that together have exactly its numbers.
+/// The numbers of a row, in one record or in several that together contain exactly these numbers.
 fn values_of_row(
     reader: &mut Reader<'_>,
     first: &Line<'_>,
@@ -127,7 +127,7 @@ fn too_few(line: &Line<'_>, what: &str, found: usize) -> Diagnostic {
     Diagnostic::new(line.span(), kind).with_hint(hint)
 }
 
-/// The numbers of a line up to its first text; text among its columns is a mistake.
+/// The numbers of a line up to its first text; text within its columns is a mistake.
 fn numbers(line: &Line<'_>) -> Result<Vec<Value<f64>>, Diagnostic> {
     let mut values = Vec::new();
     let mut items = Items::new(*line);

@@ -7,7 +7,7 @@ use super::reader::{Reader, Value};
 use super::unread::{self, Unread};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// A tower's support, and the dialect that only this block shows.
+/// A tower's support, and the dialect, which only this block shows.
 pub(crate) fn support(
     reader: &mut Reader<'_>,
     dialect: Dialect,
@@ -47,7 +47,7 @@ pub(crate) fn support(
     Ok((dialect, support))
 }
 
-/// The wires after an offshore block; decks of other programs end before them.
+/// The wires after an offshore block; decks of other programs end before it.
 fn wires_if_any(
     reader: &mut Reader<'_>,
     nodes: usize,
@@ -125,7 +125,8 @@ fn stiffness_follows(reader: &Reader<'_>) -> bool {
     reader.block_follows(STIFFNESS_HEADING, &p::N_SECS_K_DISTR)
 }
 
-/// Whether the wires come next, with their heading, or no value at all: version 3.00 reads none.
+/// Whether the wires with their heading come next, or no value at all, because version 3.00 reads
+/// none.
 fn wires_or_nothing_follow(reader: &Reader<'_>) -> bool {
     !reader.values_follow() || reader.block_follows(WIRES_HEADING, &p::N_ATTACHMENTS)
 }
@@ -186,8 +187,8 @@ fn matrix<const N: usize>(
     Ok(matrix)
 }
 
-/// A table over the height: how many rows, their heights, their values. `is_next` tells whether
-/// what comes after the table is next.
+/// A table over the height: the number of rows, their heights, their values. `is_next` tells
+/// whether the data that follow the table come next.
 fn distribution(
     reader: &mut Reader<'_>,
     table @ [count, heights, values]: p::Table,
@@ -215,8 +216,8 @@ fn distribution(
     Ok(Distribution { count, rows })
 }
 
-/// Passes the heights and values of a table of no rows. Fortran reads a record even for an empty
-/// list; decks that leave one or both out are read if what comes after the table shows it.
+/// Skips the heights and values of a table without rows. Fortran reads a record even for an empty
+/// list; decks that omit one or both records are read if the data after the table show it.
 fn no_rows(
     reader: &mut Reader<'_>,
     lists: [&Parameter; 2],

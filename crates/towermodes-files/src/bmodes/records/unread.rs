@@ -1,16 +1,16 @@
-//! Values of a deck that are not read because of a count or a switch before them: BModes ignores
-//! them without a message.
+//! Values of a deck that are not read because of a preceding count or switch: BModes ignores them
+//! without a message.
 
 use super::parameters::{self as p, Parameter};
 use super::reader::{Reader, Value};
 use crate::records::{Items, Line, Lines, MAX_COUNT};
 
-/// Values that are not read: the byte of the main file that decides it, and the note.
+/// Values that are not read: the byte in the main file of the count or switch, and the note.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Unread {
     pub(crate) at: usize,
     pub(crate) message: String,
-    /// Whether they are those of soil, which is not relevant to a floating platform.
+    /// Whether they are soil values, which are not relevant to a floating platform.
     pub(crate) is_soil: bool,
 }
 
@@ -68,7 +68,8 @@ pub(super) fn no_attachments(reader: &Reader<'_>, n_attachments: &Value<usize>) 
     Unread::new(n_attachments.span.start, message)
 }
 
-/// The sets of wires beyond `n_attachments`, if each of the four lines to come has values for them.
+/// The sets of wires beyond `n_attachments`, if each of the four following lines has values for
+/// them.
 pub(super) fn sets_of_wires(reader: &Reader<'_>, n_attachments: &Value<usize>) -> Option<Unread> {
     let lines = reader.lines.clone().filter(|line| !line.is_blank());
     let given = lines.take(4).map(numbers).min()?;

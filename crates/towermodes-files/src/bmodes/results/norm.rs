@@ -1,12 +1,12 @@
 //! The scale that BModes gives its mode shapes.
 
-/// Scales a mode as BModes does: the Euclidean norm of all its unknowns is 1, its sign stays.
-/// Returns the factor, or `None` for a mode without motion, which stays as it is.
+/// Scales a mode as BModes does: the Euclidean norm of all its unknowns becomes 1, and its sign is
+/// kept. Returns the factor, or `None` for a mode without motion, which is not changed.
 ///
-/// `nodes` have, from the base to the top, u/R, v/R, v', w/R, w' and the twist: u along the axis, v
-/// fore-aft, w side-side (of a blade lag and flap). `interiors` have for each element from the base
-/// to the top u/R at 1/3 and 2/3 of its length and the twist at 1/2. Held motions are zero. R is
-/// the height of the top, plus the draft where there is one.
+/// `nodes` contain, from the base to the top, u/R, v/R, v', w/R, w' and the twist: u along the
+/// axis, v fore-aft, w side-side (for a blade lag and flap). `interiors` contain for each element
+/// from the base to the top u/R at 1/3 and 2/3 of its length and the twist at 1/2. Fixed motions
+/// are zero. R is the height of the top, plus the draft if there is one.
 pub fn euclidean(nodes: &mut [[f64; 6]], interiors: &mut [[f64; 3]]) -> Option<f64> {
     let unknowns = || nodes.iter().flatten().chain(interiors.iter().flatten());
     let largest = unknowns().fold(0.0_f64, |largest, x| largest.max(x.abs()));

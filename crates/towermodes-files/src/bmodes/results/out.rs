@@ -17,11 +17,11 @@ const RULE_LENGTH: usize = 81;
 pub struct OutHeader {
     /// The title of the deck.
     pub title: String,
-    /// Whether it is a blade: flap and lag in place of side-side and fore-aft.
+    /// Whether the modes are those of a blade, with flap and lag instead of side-side and fore-aft.
     pub is_blade: bool,
     /// Whether tabs separate the columns.
     pub tab_delimited: bool,
-    /// Whether the rows of mid nodes, which have a twist only, are printed.
+    /// Whether the rows of mid nodes, which contain only a twist, are printed.
     pub mid_node_twist: bool,
     /// Date and time for the first line; none for a file that does not depend on the time.
     pub timestamp: Option<String>,
@@ -36,29 +36,29 @@ pub struct OutMode {
     pub rows: Vec<OutRow>,
 }
 
-/// The motion of a mode at a height. Displacements and slopes are side-side and fore-aft; of a
-/// blade, flap and lag.
+/// The motion of a mode at a height. Displacements and slopes are side-side and fore-aft, for a
+/// blade flap and lag.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OutRow {
     /// Height as a fraction of the flexible length, 0 at the base and 1 at the top.
     pub span_loc: f64,
-    /// Side-side displacement over the length R.
+    /// Side-side displacement divided by the length R.
     pub ss_disp: f64,
     /// Side-side slope.
     pub ss_slope: f64,
-    /// Fore-aft displacement over the length R.
+    /// Fore-aft displacement divided by the length R.
     pub fa_disp: f64,
     /// Fore-aft slope.
     pub fa_slope: f64,
     /// Twist.
     pub twist: f64,
-    /// Whether it is the mid node of an element, which has a twist and nothing else.
+    /// Whether it is the mid node of an element, which has only a twist.
     pub is_mid_node: bool,
 }
 
 impl OutMode {
-    /// A mode of the motions [`euclidean`](super::super::euclidean) takes; `borders` are the
-    /// element borders as fractions of the flexible length, one for each node.
+    /// A mode of the motions that [`euclidean`](super::super::euclidean) scales; `borders` are the
+    /// element boundaries as fractions of the flexible length, one for each node.
     pub fn new(
         frequency_hz: f64,
         borders: &[f64],
@@ -151,7 +151,7 @@ fn title(title: &str) -> String {
     one_line(title).chars().take(TITLE_LENGTH).collect()
 }
 
-/// The text on one line: a line break would move all lines after it.
+/// The text on one line, because a line break would shift all following lines.
 pub(crate) fn one_line(text: &str) -> String {
     text.replace(|c: char| c.is_control(), " ")
 }

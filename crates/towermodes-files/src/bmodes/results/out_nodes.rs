@@ -13,7 +13,7 @@ const INTERIOR: [f64; 3] = [1.0 / 3.0, 0.5, 2.0 / 3.0];
 #[derive(Debug, Clone, PartialEq)]
 pub struct OutNodes {
     borders_m: Vec<f64>,
-    /// R, m, by which deflections are divided.
+    /// The length R, m, by which deflections are divided.
     radius_m: f64,
     layout: OutLayout,
 }
@@ -56,7 +56,7 @@ impl OutNodes {
         &self.borders_m
     }
 
-    /// The nodes and three heights between each two, m.
+    /// The nodes and three heights between neighbouring nodes, m.
     pub fn heights_m(&self) -> Vec<f64> {
         let mut heights_m = Vec::with_capacity(4 * self.borders_m.len());
         for pair in self.borders_m.windows(2) {
@@ -67,7 +67,7 @@ impl OutNodes {
         heights_m
     }
 
-    /// The modes of a tower, which have shapes at [`heights_m`](Self::heights_m).
+    /// The modes of a tower whose shapes are given at [`heights_m`](Self::heights_m).
     pub fn of_solution(&self, tower: &Tower, solution: &Solution) -> String {
         let modes = solution.modes.iter();
         let modes: Vec<OutMode> = modes
@@ -76,7 +76,7 @@ impl OutNodes {
         write_bmodes_out(&self.header(tower.name(), false), &modes)
     }
 
-    /// The modes of a blade, which have shapes at [`heights_m`](Self::heights_m).
+    /// The modes of a blade whose shapes are given at [`heights_m`](Self::heights_m).
     pub fn of_blade_solution(&self, blade: &Blade, solution: &BladeSolution) -> String {
         let modes = solution.modes.iter();
         let modes: Vec<OutMode> = modes

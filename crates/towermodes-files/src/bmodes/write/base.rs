@@ -1,4 +1,4 @@
-//! The base of a tower in a deck: how it is held, and at which heights the tower ends.
+//! The base of a tower in a deck: its support, and the heights of the tower ends.
 
 use towermodes::Tower;
 
@@ -11,7 +11,7 @@ pub(crate) enum Hub {
     Clamped = 1,
     /// Free, or on springs.
     Free = 2,
-    /// Held in z and in rotation about z.
+    /// Fixed in z and in rotation about z.
     AxiallyHeld = 3,
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Ends {
     pub(super) hub_rad_m: f64,
     /// Depth of the base of an offshore tower, m.
     pub(super) draft_m: f64,
-    /// The heights of the deck are those of the tower plus this, m.
+    /// The difference of the heights in the deck from those of the tower, m.
     pub(super) shift_m: f64,
 }
 

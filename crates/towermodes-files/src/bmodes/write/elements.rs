@@ -1,9 +1,9 @@
-//! The element borders of a deck.
+//! The element boundaries of a deck.
 
 use super::layout::{Layout, Need};
 use crate::note::Note;
 
-/// The borders as fractions of the length, from 0 to 1: at least `wanted` elements and at most
+/// The boundaries as fractions of the length, from 0 to 1: at least `wanted` elements and at most
 /// `most`, unless essential cuts need more.
 pub(super) fn borders(
     layout: &Layout,
@@ -48,7 +48,7 @@ pub(super) fn wire_nodes(layout: &Layout, borders: &[f64]) -> Vec<usize> {
     layout.attached.wires_at_nodes.iter().map(node).collect()
 }
 
-/// The borders of `total` elements, each added where elements are longest.
+/// The boundaries of `total` elements; further boundaries divide the longest elements.
 fn divided(ends: &[f64], total: usize) -> Vec<f64> {
     let lengths: Vec<f64> = ends.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mut counts = vec![1_usize; lengths.len()];

@@ -7,13 +7,13 @@ use towermodes::number::Rounded;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BmodesWriteError {
-    /// The base is held in a way that no `hub_conn` of BModes describes.
+    /// No `hub_conn` of BModes describes the support of the base.
     #[error(
         "the base is rigidly held only in {held}: a base of BModes is clamped, free on springs, or held in z and \
          rotation about z; use finite springs"
     )]
     PartlyRigidBase {
-        /// The motions that are held.
+        /// The motions that are fixed.
         held: String,
     },
     /// The tower stands on a space frame.
@@ -34,7 +34,7 @@ pub enum BmodesWriteError {
         height_m: f64,
         /// Another ratio.
         other_ratio: f64,
-        /// The height of that, m.
+        /// The height of this ratio, m.
         other_height_m: f64,
     },
     /// The soil has different stiffness in x and y.

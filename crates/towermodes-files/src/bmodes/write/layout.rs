@@ -1,5 +1,5 @@
-//! Borders of a deck along a tower: heights between which all properties are smooth, and heights at
-//! which elements must end.
+//! The cuts of a deck along a tower: heights between which all properties are smooth, and heights
+//! at which elements must end.
 
 use towermodes::number::Rounded;
 use towermodes::tower::Piece;
@@ -8,8 +8,8 @@ use towermodes::{Tower, TowerDescription};
 use super::spread::Attached;
 use crate::note::Note;
 
-/// Heights closer than this fraction of the tower's length are merged: a step takes 1e-7 of it, so
-/// that the rows around it stay in order.
+/// Heights closer than this fraction of the tower's length are merged: a step takes 1e-7 of the
+/// length, so the rows around it remain in order.
 pub(super) const CLOSEST: f64 = 1e-6;
 
 /// A height at which something begins or ends.
@@ -26,12 +26,12 @@ impl Cut {
     }
 }
 
-/// The necessity of an element boundary at a border.
+/// How necessary an element boundary is at a cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Need {
-    /// Something bends: elements take their sections at their middles anyway.
+    /// A kink: an element uses its section at its middle anyway.
     None,
-    /// Something steps.
+    /// A step.
     Wanted,
     /// The end of the tower, of a mass or of wires.
     Essential,
@@ -50,7 +50,7 @@ pub(super) struct PerMetre {
 pub(super) struct Layout {
     pub(super) base_m: f64,
     pub(super) top_m: f64,
-    /// The borders, from the base to the top.
+    /// The cuts, from the base to the top.
     pub(super) cuts: Vec<Cut>,
     /// Point masses and guy wires; distributed ones begin and end at cuts.
     pub(super) attached: Attached,
@@ -165,8 +165,8 @@ impl Layout {
         cuts
     }
 
-    /// Adds a cut, or merges it with the last one if that is too close; whether two heights that
-    /// differ became one.
+    /// Adds a cut, or merges it with the last one if that is too close; returns whether two
+    /// different heights were merged.
     fn add(&mut self, cut: Cut) -> bool {
         let closest_m = CLOSEST * self.length_m();
         let is_first = self.cuts.len() == 1;

@@ -5,7 +5,7 @@ use towermodes::space::SpatialMatrix;
 use super::super::records::parameters::Parameter;
 use super::number::{number, rounded};
 
-/// Values on a line of those lists that go over several.
+/// Number of values per line of lists that need several lines.
 pub(super) const VALUES_IN_A_LINE: usize = 8;
 
 /// The lines of a deck, which BModes counts.

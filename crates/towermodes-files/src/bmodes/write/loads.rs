@@ -14,23 +14,27 @@ use super::section::section_of;
 use super::sections::STEP;
 use crate::note::Note;
 
-/// Between rows a line may differ from the mass of the water by this fraction of the largest.
+/// Between rows the linear interpolation may differ from the mass of the water by this fraction of
+/// the largest mass.
 const OFF: f64 = 1e-5;
 /// Springs in x and y may differ by this fraction.
 const ROUND: f64 = 1e-6;
 /// Shorter parts of the length are not divided.
 const SHORTEST: f64 = 1e-5;
 
-/// The tables, each rows of height above the base, m, and value; and what has no table.
+/// The tables, each with rows of height above the base (m) and value, and the springs that have no
+/// table.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Loads {
-    /// kg/m.
+    /// Added mass, kg/m.
     pub(super) added_mass: Vec<(f64, f64)>,
-    /// N/m².
+    /// Stiffness, N/m².
     pub(super) stiffness: Vec<(f64, f64)>,
-    /// All vertical springs along the tower, N/m, where the base can move so; otherwise zero.
+    /// The sum of the vertical springs along the tower, N/m, if the base can move vertically;
+    /// otherwise zero.
     pub(super) vertical_n_per_m: f64,
-    /// All torsional springs along the tower, N m, where the base can move so; otherwise zero.
+    /// The sum of the torsional springs along the tower, N m, if the base can rotate about z;
+    /// otherwise zero.
     pub(super) torsion_n_m: f64,
 }
 
@@ -113,7 +117,7 @@ fn check_round(tower: &Tower, layout: &Layout) -> Result<(), BmodesWriteError> {
     Ok(())
 }
 
-/// The sums of vertical and of torsional springs; those of soil are linear between cuts.
+/// The sums of vertical and of torsional springs; soil springs are linear between cuts.
 fn axial_springs(tower: &Tower, layout: &Layout) -> (f64, f64) {
     let mut sum = (0.0, 0.0);
     for (from_m, to_m) in layout.intervals_m() {
@@ -133,7 +137,7 @@ fn axial_springs(tower: &Tower, layout: &Layout) -> (f64, f64) {
 }
 
 /// The rows of a quantity from the lowest to the highest cut where it is not zero; `value` gives it
-/// at a height of a piece, beside a cut on the side of a middle.
+/// at a height of a piece, at a cut on the side of a given middle.
 fn table(
     tower: &Tower,
     layout: &Layout,
@@ -165,7 +169,7 @@ fn table(
     rows.into_iter().map(row).collect()
 }
 
-/// The parts from the first to the last one that is not zero everywhere.
+/// The range from the first to the last part that is not zero everywhere.
 fn used(parts: &[[(f64, f64); 3]]) -> Range<usize> {
     let is_used = |part: &[(f64, f64); 3]| part.iter().any(|row| row.1 != 0.0);
     let first = parts.iter().position(is_used);
@@ -175,8 +179,8 @@ fn used(parts: &[[(f64, f64); 3]]) -> Range<usize> {
         .map_or(0..0, |(first, last)| first..last + 1)
 }
 
-/// Adds the rows between two that the line between them needs, down to a length and a difference
-/// that do not matter.
+/// Adds the rows between two rows that linear interpolation needs, down to a negligible length or
+/// difference.
 fn divide(
     low: (f64, f64),
     high: (f64, f64),
@@ -195,7 +199,7 @@ fn divide(
     divide(middle, high, fine, at, rows);
 }
 
-/// A height above the base, m, never above the top: not even by rounding.
+/// A height above the base, m, never above the top, not even by rounding.
 fn above_base(layout: &Layout, height_m: f64) -> f64 {
     let above_m = rounded(height_m - layout.base_m);
     let candidates = [above_m, height_m - layout.base_m];

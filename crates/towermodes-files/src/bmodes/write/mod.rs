@@ -27,7 +27,7 @@ pub use error::BmodesWriteError;
 pub struct BmodesWriteOptions {
     /// The name of the section file in the deck.
     pub sections_file: String,
-    /// The least number of elements. Steps, masses and wires may need more; BModes has an upper
+    /// The smallest number of elements. Steps, masses and wires may need more; BModes has an upper
     /// limit.
     pub elements: usize,
     /// The number of modes that the deck requests.
@@ -57,8 +57,8 @@ pub struct BmodesFiles {
 
 /// Writes a tower as a deck of BModes 3.00; `description` is the description of the tower.
 ///
-/// Point masses, and guy wires beside an offshore block, are distributed over a short part of the
-/// tower, because a deck has no place for them; a note gives the length.
+/// Point masses, and guy wires in a deck with an offshore block, are distributed over a short part
+/// of the tower, because a deck cannot store them otherwise; a note gives the length.
 ///
 /// # Errors
 /// [`BmodesWriteError`] if a deck cannot represent the tower.
@@ -99,7 +99,7 @@ pub fn write_bmodes(
     })
 }
 
-/// Notes on what BModes does not model, and where it misreads its own files.
+/// Notes on effects that BModes does not model, and on errors in reading its own files.
 fn note_whole(
     tower: &Tower,
     description: &TowerDescription,

@@ -1,6 +1,6 @@
 //! Numbers as Fortran reads them.
 
-/// The fewest digits that are read back as the same number, always with a point.
+/// The shortest decimal form that is read back as the same number, always with a decimal point.
 pub(super) fn number(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 {
@@ -19,7 +19,8 @@ pub(super) fn number(value: f64) -> String {
     }
 }
 
-/// A number to fifteen digits: all that files have, without the noise of an addition.
+/// A number rounded to fifteen digits, which all files have, without the rounding error of an
+/// addition.
 pub(super) fn rounded(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap_or(value)
 }

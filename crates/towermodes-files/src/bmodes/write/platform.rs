@@ -24,7 +24,7 @@ pub(super) struct Platform {
     pub(super) cm_pform_m: f64,
     pub(super) mass_kg: f64,
     pub(super) inertia_kg_m2: Inertia,
-    /// Depth of the point that the matrices are about, m.
+    /// Depth of the reference point of the matrices, m.
     pub(super) ref_msl_m: f64,
     pub(super) hydro_mass: SpatialMatrix,
     pub(super) hydro_stiffness: SpatialMatrix,
@@ -57,7 +57,7 @@ pub(super) fn platform(
     Ok(block)
 }
 
-/// The platform with the stiffness of its lines in place of them.
+/// The platform with the stiffness of its lines in place of the lines.
 fn linear(platform: &FloatingPlatform, tower: &Tower, notes: &mut Vec<Note>) -> FloatingPlatform {
     if platform.mooring_lines.is_some() {
         notes.push(Note::approximation(match platform.at_equilibrium {
@@ -70,7 +70,7 @@ fn linear(platform: &FloatingPlatform, tower: &Tower, notes: &mut Vec<Note>) -> 
     tower.linear_platform().unwrap_or_else(|| platform.clone())
 }
 
-/// The matrices of a base that does not float are about the base.
+/// The matrices of a base that does not float, about the base.
 fn on_springs(tower: &Tower, loads: Loads, ends: Ends) -> Platform {
     let base = tower.base();
     Platform {
@@ -114,8 +114,8 @@ fn floating(
     }
 }
 
-/// The hydrostatic, mooring and added-mass matrices about the reference point of the first one, and
-/// its height, m.
+/// The hydrostatic, mooring and added-mass matrices about the reference point of the hydrostatic
+/// matrix, and the height of this point, m.
 fn about_one_point(
     platform: &FloatingPlatform,
     notes: &mut Vec<Note>,
@@ -173,8 +173,8 @@ fn add_offset_of_center(
     );
 }
 
-/// The inertia of the platform with its centre at `center_m` from a point:
-/// `[[m 1, −m [c]×], [m [c]×, J]]`.
+/// The inertia of the platform with its centre at `center_m` from a point: `[[m 1, −m [c]×], [m
+/// [c]×, J]]`.
 fn inertia_about_axis(platform: &FloatingPlatform, center_m: [f64; 3]) -> SpatialMatrix {
     let body = RigidBody {
         mass_kg: platform.mass_kg,
@@ -197,8 +197,8 @@ fn inertia_about_axis(platform: &FloatingPlatform, center_m: [f64; 3]) -> Spatia
 }
 
 /// Adds the geometric stiffness of the self-weight to the mooring stiffness, as public decks do:
-/// BModes has no gravity, and a platform capsizes without it. It holds for the motion of the tower
-/// as a rigid body on its platform.
+/// BModes has no gravity, and without this stiffness a platform would be unstable. It is exact for
+/// the motion of the tower as a rigid body on its platform.
 fn add_geometric_stiffness(
     block: &mut Platform,
     tower: &Tower,
@@ -232,7 +232,7 @@ fn overturning_kg_m(tower: &Tower, description: &TowerDescription) -> f64 {
     tower.base().overturning_kg_m + of_tower + of_masses + of_rna
 }
 
-/// Point masses and wires at the base move with it.
+/// Adds point masses and wires at the base, which move with it.
 fn add_masses_and_wires_at_the_base(
     block: &mut Platform,
     description: &TowerDescription,

@@ -1,4 +1,4 @@
-//! A section as a deck has it: one stiffness, and half the polar inertia.
+//! A section of a deck, which has one bending stiffness, and half the polar inertia.
 
 use towermodes::Tower;
 use towermodes::tower::{Piece, Section};
@@ -6,9 +6,9 @@ use towermodes::tower::{Piece, Section};
 use super::error::BmodesWriteError;
 use super::layout::{Layout, PerMetre};
 
-/// The ratio of both planes may change by this fraction of it.
+/// The ratio of both planes may vary by this fraction.
 const CONSTANT: f64 = 1e-6;
-/// The stiffness in place of an infinite one, as a multiple of the bending stiffness.
+/// The stiffness that replaces an infinite one, as a multiple of the bending stiffness.
 const RIGID: f64 = 1e4;
 /// Steel: density over Young's modulus, kg/m³ per Pa. A thin tube of steel has the rotary inertia
 /// EI times this.
@@ -18,8 +18,8 @@ const STEEL: f64 = 7850.0 / 2.1e11;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct DeckSection {
     pub(super) mass_kg_per_m: f64,
-    /// Half the polar inertia per length, kg m: BModes takes twice this about the axis, and nothing
-    /// of it in bending.
+    /// Half the polar inertia per length, kg m: BModes uses twice this value about the axis, and no
+    /// inertia in bending.
     pub(super) flp_iner_kg_m: f64,
     pub(super) bending_n_m2: f64,
     pub(super) torsion_n_m2: f64,
@@ -37,7 +37,8 @@ impl DeckSection {
         ]
     }
 
-    /// Halfway to another one as BModes interpolates: inertia by its squared radius of gyration.
+    /// An intermediate section, interpolated as in BModes: inertia by its squared radius of
+    /// gyration.
     pub(super) fn between(&self, other: &Self, s: f64) -> Self {
         let (a, b) = (self.values(), other.values());
         let [mass, radius_squared, bending_n_m2, torsion_n_m2, axial_n] =
@@ -58,7 +59,7 @@ impl DeckSection {
     }
 }
 
-/// Values of the sections that were made up or left out.
+/// Values of the sections that were assumed or omitted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct MadeUp {
     /// Whether GJ is infinite.
@@ -67,12 +68,12 @@ pub(super) struct MadeUp {
     pub(super) stretch: bool,
     /// Whether there is no polar inertia.
     pub(super) polar_inertia: bool,
-    /// The largest difference of rotary inertia and half the polar one, as a fraction of the
+    /// The largest difference of rotary inertia and half the polar inertia, as a fraction of the
     /// latter.
     pub(super) rotary_off: f64,
 }
 
-/// A section of a piece, at a height in it or, for rounding, beside it.
+/// A section of a piece, at a height in it or, due to rounding, slightly outside.
 pub(super) fn section_of(piece: &Piece, height_m: f64) -> Section {
     piece.section_at(height_m.clamp(piece.base_m, piece.top_m))
 }
@@ -103,8 +104,8 @@ pub(super) fn deck_section(
     }
 }
 
-/// Half the polar inertia, or the inertia of a thin steel tube of the same bending stiffness where
-/// there is none.
+/// Half the polar inertia; if there is none, the inertia of a thin steel tube of the same bending
+/// stiffness.
 fn half_polar_inertia_kg_m(section: &Section, made_up: &mut MadeUp) -> f64 {
     let half = 0.5 * section.masses.polar_inertia_kg_m;
     if half == 0.0 {
@@ -118,7 +119,7 @@ fn half_polar_inertia_kg_m(section: &Section, made_up: &mut MadeUp) -> f64 {
     half
 }
 
-/// Side-side over fore-aft bending stiffness, which must be the same everywhere.
+/// The ratio of side-side to fore-aft bending stiffness, which must be the same everywhere.
 pub(super) fn side_side_multiplier(
     tower: &Tower,
     layout: &Layout,

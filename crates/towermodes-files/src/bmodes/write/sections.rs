@@ -1,4 +1,4 @@
-//! The file of sections, with as many rows as the straight lines between them need.
+//! The section file, with as many rows as linear interpolation needs.
 
 use towermodes::Tower;
 use towermodes::number::Rounded;
@@ -10,15 +10,16 @@ use super::number::{number, rounded};
 use super::section::{DeckSection, MadeUp, deck_section};
 use crate::note::Note;
 
-/// Between rows a line may differ from the tower by this fraction.
+/// Between rows the interpolation may differ from the tower by this fraction.
 const OFF: f64 = 1e-5;
-/// Rows on both sides of a step are this fraction of the length apart, as in published decks
-/// (0.27881 and 0.27882): BModes takes the first interval that the middle of an element lies in,
-/// and no element has its middle in so short a one.
+/// Distance of the rows on both sides of a step, as a fraction of the length, as in published decks
+/// (0.27881 and 0.27882): BModes uses the first interval that contains the middle of an element,
+/// and no element has its middle in such a short interval.
 pub(super) const STEP: f64 = 1e-7;
 /// Shorter parts of the length are not divided.
 const SHORTEST: f64 = 1e-5;
-/// Rows on both sides that differ by no more than rounding are one.
+/// If the values on both sides of a height differ by at most this rounding error, one row is
+/// written.
 const ROUNDING: f64 = 1e-11;
 /// A difference of rotary inertia and half the polar inertia above this fraction gives a note.
 const ROTARY_OFF: f64 = 1e-6;
@@ -52,7 +53,7 @@ pub(super) fn rows(tower: &Tower, layout: &Layout, notes: &mut Vec<Note>) -> Vec
     rows
 }
 
-/// Adds the rows between two that the line between them needs.
+/// Adds the rows between two rows that linear interpolation needs.
 fn divide(from: Row, to: Row, at: &mut impl FnMut(f64) -> DeckSection, rows: &mut Vec<Row>) {
     if to.0 - from.0 < SHORTEST {
         return;
@@ -157,7 +158,7 @@ fn cells_of((height, section): &Row) -> [String; 13] {
     ]
 }
 
-/// A fraction of the length to twelve decimals.
+/// A fraction of the length with twelve decimals.
 fn location(height: f64) -> String {
     let text = format!("{height:.12}");
     let short = text.trim_end_matches('0');

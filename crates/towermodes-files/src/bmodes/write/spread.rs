@@ -1,20 +1,20 @@
-//! Point masses and guy wires that a deck can hold only distributed over a short part of the tower.
+//! Point masses and guy wires that a deck can store only distributed over a short part of the
+//! tower.
 
 use towermodes::number::Rounded;
 use towermodes::{PointMass, Tower, TowerDescription, Wires};
 
 use crate::note::Note;
 
-/// The fraction of the tower's length that a mass or a set of wires is distributed over.
+/// The fraction of the tower's length over which a mass or a set of wires is distributed.
 const WIDTH: f64 = 0.005;
-/// A mass nearer to an end than this fraction of the length is at that end.
+/// A mass closer to an end than this fraction of the length counts as being at the end.
 const AT_THE_END: f64 = 1e-5;
 
-/// Where a deck has the point masses and the guy wires of a tower; masses and wires by their
-/// indices in the description.
+/// The point masses and the guy wires of a tower in a deck, by their indices in the description.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Attached {
-    /// Masses, and wires of a tower that is offshore, each between two heights.
+    /// Masses, and wires of an offshore tower, each distributed between two heights.
     pub(super) spreads: Vec<Spread>,
     pub(super) masses_at_the_top: Vec<usize>,
     pub(super) masses_at_the_base: Vec<usize>,
@@ -23,23 +23,23 @@ pub(super) struct Attached {
     pub(super) wires_at_nodes: Vec<(usize, f64)>,
 }
 
-/// A mass, or the springs of wires, between two heights.
+/// A mass, or the springs of wires, distributed between two heights.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Spread {
     pub(super) from_m: f64,
     pub(super) to_m: f64,
-    /// kg.
+    /// Mass, kg.
     pub(super) mass_kg: f64,
-    /// About the tower's axis, kg m².
+    /// Inertia about the tower's axis, kg m².
     pub(super) polar_inertia_kg_m2: f64,
-    /// In every horizontal direction, N/m.
+    /// Stiffness in every horizontal direction, N/m.
     pub(super) horizontal_n_per_m: f64,
-    /// N/m.
+    /// Vertical stiffness, N/m.
     pub(super) vertical_n_per_m: f64,
 }
 
 impl Attached {
-    /// Finds a place for every point mass and every set of wires.
+    /// Assigns every point mass and every set of wires to a height range or a node.
     pub(super) fn of(
         tower: &Tower,
         description: &TowerDescription,
@@ -71,7 +71,7 @@ impl Attached {
     }
 }
 
-/// A mass distributed evenly to both sides, so that its centre does not move.
+/// A mass distributed evenly above and below its height, so that its centre does not move.
 fn mass_at(tower: &Tower, mass: &PointMass, notes: &mut Vec<Note>) -> Spread {
     let ends_m = [
         mass.height_m - tower.base_m(),
@@ -101,7 +101,7 @@ fn mass_at(tower: &Tower, mass: &PointMass, notes: &mut Vec<Note>) -> Spread {
     }
 }
 
-/// The springs of guy wires as soil springs; at the top just below it.
+/// The springs of guy wires as soil springs; at the tower top just below it.
 fn wires_at(tower: &Tower, index: usize, wires: &Wires, notes: &mut Vec<Note>) -> Spread {
     let (base_m, top_m) = (tower.base_m(), tower.top_m());
     let width_m = WIDTH * tower.height_m();

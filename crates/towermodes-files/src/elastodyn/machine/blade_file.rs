@@ -2,7 +2,7 @@
 //!
 //! OpenFAST reads them by position (`ReadBladeFile` in `ElastoDyn_IO.f90`). The number of columns
 //! changed from seventeen (FAST 7) to six (FAST 8) to five (OpenFAST 5, without `PitchAxis`). The
-//! line of names shows the column of masses; the twist precedes it and both stiffnesses follow it.
+//! line of names shows the mass column; the twist precedes it and both stiffnesses follow it.
 
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Token};
 use crate::source::Source;
 
-/// The records before the table of a blade file.
+/// The record before the table of a blade file.
 const ROWS: Record = record("NBlInpSt", "number of rows", Kind::Count(1));
 const CALC_MODE: Record = record("CalcBMode", "flag of FAST 7", Kind::Other);
 const DAMPING: [Record; 3] = [
@@ -26,7 +26,7 @@ const TUNERS: [Record; 2] = [
     record("FlStTunr(1)", "stiffness tuner", Kind::Other),
     record("FlStTunr(2)", "stiffness tuner", Kind::Other),
 ];
-/// Factors of the columns of mass, flapwise and edgewise stiffness.
+/// Factors on the columns of mass, flapwise and edgewise stiffness.
 const FACTORS: [Record; 3] = [
     record("AdjBlMs", "factor of the masses", POSITIVE),
     record("AdjFlSt", "factor of the flapwise stiffness", POSITIVE),
@@ -42,8 +42,8 @@ pub struct BladeFile {
     pub flap_factor: f64,
     /// Factor of the column of edgewise stiffnesses (`AdjEdSt`).
     pub edge_factor: f64,
-    /// The table as written, without the factors; linear between rows. A uniform blade has the only
-    /// row of its file at both ends.
+    /// The table as written, without the factors; linear between rows. For a uniform blade the
+    /// single row of the file is used at both ends.
     pub rows: Vec<BladeRow>,
 }
 
@@ -77,7 +77,7 @@ impl BladeFile {
     /// The integrals along a blade of this length, m, exact for a mass per length that is linear
     /// between the rows.
     ///
-    /// ElastoDyn itself takes `BldNodes` elements with the mass at their middles, which differs by
+    /// ElastoDyn itself uses `BldNodes` elements with the mass at their middles; the difference is
     /// some thousandths.
     pub fn masses(&self, length_m: f64) -> BladeMasses {
         let mut sum = BladeMasses::default();
@@ -132,7 +132,7 @@ pub fn read_blade_file(source: &Source) -> Result<BladeFile, Diagnostic> {
     })
 }
 
-/// The distributed properties.
+/// Reads the distributed properties.
 fn rows(
     lines: &mut Positional<'_>,
     count: &Parameter<'_>,
@@ -190,11 +190,11 @@ fn row(
     Ok((row, token.span.clone()))
 }
 
-/// Columns beyond those of FAST 7 are not looked at.
+/// Columns beyond those of FAST 7 are ignored.
 const MOST_COLUMNS: usize = 20;
 
-/// Which column the masses are in: the one of that name, or else the third of five and the fourth
-/// of more.
+/// The index of the mass column: the column of that name, otherwise the third of five columns or
+/// the fourth of more.
 fn mass_column(names: &Line<'_>, columns: usize) -> usize {
     let mut names = names.tokens().take(MOST_COLUMNS);
     let named = names.position(|token| plain(token.text) == "bmassden");

@@ -1,4 +1,4 @@
-//! The operating speeds of a model, which stand in the file of its controller.
+//! The operating speeds of a model, which are given in the file of its controller.
 //!
 //! The `.fst` file names the file of ServoDyn, which names the input of a controller DLL
 //! (`DLL_InFile`). The input of ROSCO, usually `DISCON.IN`, has lines of a value, an exclamation
@@ -29,32 +29,32 @@ const GEARBOX: &str = "WE_GearboxRatio";
 /// The control mode of ServoDyn in which the DLL sets the torque of the generator.
 const BY_DLL: i64 = 5;
 
-/// Gearbox ratios that differ by more than this fraction are different.
+/// Gearbox ratios that differ by more than this fraction count as different.
 const SAME_RATIO: f64 = 1e-3;
 
-/// The operating speeds by the files.
+/// The operating speeds from the files.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum OperatingSpeeds {
-    /// They are known.
+    /// The speeds are known.
     Known(Controlled),
-    /// They are not, for a reason.
+    /// The speeds are unknown; the note states the reason.
     Unknown(Note),
 }
 
-/// The speeds that a controller keeps the rotor at.
+/// The rotor speeds of a controller.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Controlled {
-    /// The lowest and the highest, rpm.
+    /// The lowest and the highest rotor speed, rpm.
     pub(crate) rpm: [f64; 2],
     /// Notes on their source.
     pub(crate) notes: Vec<Note>,
     /// The file of the controller.
     pub(crate) source: Source,
-    /// The place of the highest speed in it.
+    /// The place of the highest speed in this file.
     pub(crate) place: Range<usize>,
 }
 
-/// The operating speeds that the controller of an `.fst` file has.
+/// The operating speeds of the controller of an `.fst` file.
 pub(crate) fn operating_speeds(
     fst: &Source,
     main: &MainFile,
@@ -92,7 +92,7 @@ fn controller_file(fst: &Source, files: &dyn FileResolver) -> Result<Source, Not
     in_servodyn(&servo, folder, files)
 }
 
-/// As above, from the file of ServoDyn in a folder.
+/// The controller file that a ServoDyn file in a folder names.
 fn in_servodyn(servo: &Source, folder: &str, files: &dyn FileResolver) -> Result<Source, Note> {
     match switch(servo, "VSContrl") {
         Some((BY_DLL, _)) => {}
@@ -160,7 +160,7 @@ fn controlled(source: Source, main: &MainFile) -> Result<Controlled, Note> {
     })
 }
 
-/// The ratio of generator speed to rotor speed. The rotor of the model has the ratio of ElastoDyn;
+/// The ratio of generator speed to rotor speed. The rotor of the model uses the ratio of ElastoDyn;
 /// the controller may use another one.
 fn gear_ratio(source: &Source, main: &MainFile, notes: &mut Vec<Note>) -> Result<f64, Note> {
     let of_model = main.gearbox_ratio.abs();
@@ -183,13 +183,13 @@ fn gear_ratio(source: &Source, main: &MainFile, notes: &mut Vec<Note>) -> Result
     Ok(of_model)
 }
 
-/// A positive number of the input.
+/// A positive number of the controller input.
 struct Value {
     number: f64,
     span: Range<usize>,
 }
 
-/// The positive number with a name; the reason why there is none.
+/// The positive number with a name, or the reason why there is none.
 fn value_of(source: &Source, name: &str) -> Result<Value, Note> {
     let Some(entry) = entry(source, name) else {
         let message = format!(
@@ -220,7 +220,7 @@ struct Entry<'a> {
 }
 
 impl Entry<'_> {
-    /// Fortran writes powers of ten with a D too.
+    /// The number; Fortran also writes powers of ten with a D.
     fn number(&self) -> Option<f64> {
         let number: f64 = self.text.replace(['d', 'D'], "e").parse().ok()?;
         number.is_finite().then_some(number)

@@ -1,8 +1,8 @@
-//! A file of a structural control (StC): its mass, where it is, and its own frequencies.
+//! A file of a structural control (StC): its mass, its position, and its natural frequencies.
 //!
 //! Source: the manual of ServoDyn (OpenFAST 3 to 5) and `StrucCtrl.f90`: with StC_DOF_MODE 1 each
-//! direction has a mass of its own, which the structure carries in the others; with 2 and, since
-//! StC_XY_M is named StC_Omni_M, 3, one mass moves in several directions.
+//! direction has a separate mass, which moves rigidly with the structure in the other directions;
+//! with 2 and, since StC_XY_M is named StC_Omni_M, 3, one mass moves in several directions.
 
 use std::f64::consts::TAU;
 
@@ -38,12 +38,12 @@ const STIFFNESSES: [Record; 3] = [
     record("StC_Z_K", "stiffness along z, N/m", NON_NEGATIVE),
 ];
 
-/// What a file of a structural control describes.
+/// The content of a file of a structural control.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Control {
     /// A mass on springs.
     Damper(Damper),
-    /// A kind of the given number (StC_DOF_MODE), without a mass on springs.
+    /// A control of the given number (StC_DOF_MODE) that is not a mass on springs.
     Other(i64),
 }
 
@@ -53,12 +53,12 @@ pub(super) struct Damper {
     pub(super) mass_kg: f64,
     /// Its position at rest in the axes of its part of the turbine, m.
     pub(super) position_m: [f64; 3],
-    /// Its own frequencies √(k/m)/2π by direction, Hz, where springs have a stiffness.
+    /// Its natural frequencies √(k/m)/2π by direction, Hz, for springs with stiffness.
     pub(super) frequencies_hz: Vec<(&'static str, f64)>,
 }
 
 impl Control {
-    /// The content of a file.
+    /// Reads a file.
     ///
     /// # Errors
     /// The first mistake.
@@ -108,7 +108,7 @@ fn independent(source: &Source) -> Result<[Option<f64>; 3], Diagnostic> {
     Ok(masses_kg)
 }
 
-/// One mass, which moves along x and y, and with mode 3 along z.
+/// One mass that moves along x and y, and with mode 3 also along z.
 fn of_one(mass_kg: f64, mode: i64) -> [Option<f64>; 3] {
     [Some(mass_kg), Some(mass_kg), (mode == 3).then_some(mass_kg)]
 }

@@ -16,12 +16,12 @@ use crate::source::Source;
 /// downwind, y lateral, z up.
 ///
 /// The rotor's apex is at (OverHang cos τ, 0, Twr2Shft + OverHang sin τ) with τ = ShftTilt; the
-/// first blade points up, each next one is a fraction of a turn further, clockwise as seen from
-/// upwind. Blades are rods: only their mass along their axis counts. `NacYIner` is about the yaw
-/// axis, and the nacelle has no other inertia than what that leaves about its centre. With a locked
+/// first blade points up, and the others follow at equal angles clockwise as seen from upwind.
+/// Blades are rods: only their mass along their axis is used. `NacYIner` is about the yaw axis; the
+/// nacelle has no other inertia than the part of it that remains about its centre. With a locked
 /// rotor the generator adds `GenIner` about the shaft, without the factor `GBRatio`²; with a free
-/// one rotor and generator together add J_r J_g (1 − q)²/(J_r + q² J_g) about it, where J_r is the
-/// rotor's inertia, J_g = `GenIner` and q = `GBRatio`.
+/// rotor, rotor and generator together add J_r J_g (1 − q)²/(J_r + q² J_g) about the shaft, where
+/// J_r is the rotor's inertia, J_g = `GenIner` and q = `GBRatio`.
 ///
 /// Source: the kinematics of ElastoDyn (OpenFAST 5.0, `SetCoordSy`, `CalculatePositions`, `Coeff`
 /// in `ElastoDyn.f90`).
@@ -96,8 +96,8 @@ fn hub(main: &MainFile) -> RigidBody {
 
 /// The hub's inertia about its centre: about the shaft and about the teeter axis, kg m².
 ///
-/// Of two blades the inertia about the teeter pin is brought to the centre, and before OpenFAST 4.2
-/// it holds for both axes.
+/// For two blades the inertia about the teeter pin is transformed to the centre, and before
+/// OpenFAST 4.2 it applies to both axes.
 pub(crate) fn hub_inertia_kg_m2(main: &MainFile) -> (f64, f64) {
     if main.blade_count != 2 {
         return (main.hub_inertia_kg_m2, 0.0);
@@ -115,7 +115,7 @@ pub(crate) fn hub_inertia_kg_m2(main: &MainFile) -> (f64, f64) {
     }
 }
 
-/// The nacelle, whose inertia about the yaw axis is all that ElastoDyn has.
+/// The nacelle; in ElastoDyn its only inertia is that about the yaw axis.
 pub(crate) fn nacelle(main: &MainFile) -> RigidBody {
     let [x, y, _] = main.nacelle_center_m;
     let zz = main.nacelle_yaw_inertia_kg_m2 - main.nacelle_mass_kg * (x * x + y * y);
@@ -144,7 +144,7 @@ pub(crate) fn check_free_rotor(main: &MainFile, blades: &[BladeMasses]) -> Resul
     Err(Diagnostic::new(main.place("NumBl"), kind).with_hint(hint))
 }
 
-/// The notes on the assumptions behind one rigid body.
+/// The notes on the assumptions of a single rigid body.
 pub(crate) fn notes(
     main: &MainFile,
     source: &Source,
@@ -172,7 +172,8 @@ pub(crate) fn notes(
     notes
 }
 
-/// The note that the moments of inertia are not those of a body, because the nacelle has only one.
+/// The note that the moments of inertia are not those of a real body, because the nacelle has only
+/// one.
 fn on_inertia(rna: &RigidBody) -> Option<Note> {
     let [least, middle, largest] = rna.inertia_kg_m2.principal_kg_m2();
     let message = "NacYIner, about the yaw axis, is the only moment of inertia of the nacelle in ElastoDyn; therefore the moments of inertia of the rotor-nacelle assembly are not those of a real body, which is not an input error";

@@ -9,14 +9,13 @@ use super::controller::OperatingSpeeds;
 use crate::note::{Note, RotorNotes};
 use crate::source::Source;
 
-/// Number of elements of a blade; more if its table has more intervals, up to
-/// [`MOST_ELEMENTS`].
+/// Number of elements of a blade; larger if its table has more intervals, up to [`MOST_ELEMENTS`].
 const ELEMENTS: usize = 50;
 const MOST_ELEMENTS: usize = 400;
 
 /// The rotor; `None` if its operating speeds are unknown.
 ///
-/// The files of ElastoDyn have only the speed at which a simulation begins (`RotSpeed`). The
+/// The files of ElastoDyn contain only the initial speed of a simulation (`RotSpeed`). The
 /// operating speeds depend on the controller.
 pub(crate) fn rotor(main: &MainFile, speeds: Option<&OperatingSpeeds>) -> Option<Rotor> {
     match speeds? {
@@ -29,11 +28,11 @@ pub(crate) fn rotor(main: &MainFile, speeds: Option<&OperatingSpeeds>) -> Option
     }
 }
 
-/// The first blade at standstill, as ElastoDyn has it: it bends, but it neither twists nor
-/// stretches, and its sections have no offsets.
+/// The first blade at standstill, as in ElastoDyn: it is rigid in torsion and axially, and its
+/// sections have no offsets.
 ///
-/// Twist and pitch of ElastoDyn are positive towards feather, as those of BModes, and the library's
-/// are positive the other way.
+/// In ElastoDyn and BModes twist and pitch are positive towards feather, in the library in the
+/// opposite direction.
 pub(crate) fn blade(main: &MainFile, file: &BladeFile) -> BladeDescription {
     let elements = (file.rows.len() - 1).clamp(ELEMENTS, MOST_ELEMENTS);
     let sections = file.rows.iter().map(|row| BladeSection {
@@ -88,7 +87,7 @@ pub(crate) fn notes(
     notes
 }
 
-/// The notes on the blade, each with the parameter that it is on.
+/// The notes on the blade, each with its parameter.
 fn blade_notes(main: &MainFile) -> Vec<(&'static str, Note)> {
     let mut notes = Vec::new();
     let precone_deg = main.precone_deg[0];

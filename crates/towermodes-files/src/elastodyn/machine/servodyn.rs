@@ -17,15 +17,15 @@ const YAW_SPRING: Record = record(
 /// The data of the yaw spring.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum YawSpring {
-    /// Its stiffness, N m/rad.
+    /// The stiffness, N m/rad.
     Given(f64),
-    /// No file has it, for a reason.
+    /// No file contains it, for this reason.
     Unknown(Note),
-    /// No nacelle can have it, for a reason.
+    /// The value is impossible, for this reason.
     Impossible(Note),
 }
 
-/// The yaw spring that the files of an `.fst` file have.
+/// The yaw spring in the files of an `.fst` file.
 pub(crate) fn yaw_spring(fst: &Source, files: &dyn FileResolver) -> YawSpring {
     if let Some((0, at)) = switch(fst, "CompServo") {
         let message = "YawDOF is True, but CompServo is 0, and the spring YawSpr of the yaw drive is in the file of ServoDyn: the nacelle does not yaw on the tower";

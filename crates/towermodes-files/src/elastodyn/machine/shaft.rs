@@ -1,7 +1,7 @@
 //! The inertia of rotor and generator that acts on the nacelle about the shaft.
 //!
-//! The nacelle rolls about the shaft at the rate n. The rotor turns at the rate x against it, and
-//! the generator q times as fast:
+//! The nacelle rolls about the shaft at the rate n. The rotor rotates at the rate x relative to it,
+//! and the generator q times as fast:
 //!
 //! ```text
 //! 2 T = J_r (n + x)² + J_g (n + q x)²
@@ -12,27 +12,27 @@
 //! nacelle; in ElastoDyn the angular velocity of the generator is that of the nacelle for every
 //! other degree of freedom (`PAngVelEG` in `ElastoDyn.f90`, OpenFAST 5.0).
 //!
-//! On a free rotor no torque acts, so ∂T/∂x = 0: x = −n (J_r + q J_g)/(J_r + q² J_g). Put in,
+//! On a free rotor no torque acts, so ∂T/∂x = 0: x = −n (J_r + q J_g)/(J_r + q² J_g). With this x,
 //!
 //! ```text
 //! 2 T = n² J_r J_g (1 − q)²/(J_r + q² J_g)
 //! ```
 //!
-//! A gearbox that turns the generator the other way has a negative q.
+//! For a gearbox that reverses the direction of rotation q is negative.
 
 use towermodes::RigidBody;
 
 use super::super::main_input::main_file::MainFile;
 use crate::input::RotorLock;
 
-/// A rotor whose centre of mass or principal axis is further off its shaft, as a fraction of its
-/// size, is not balanced.
+/// A rotor is not balanced if its centre of mass or principal axis is farther off its shaft than
+/// this, as a fraction of its size.
 const BALANCED: f64 = 1e-6;
 
 /// Inertias about the shaft, kg m².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Shaft {
-    /// Of hub, blades and tip masses, J_r.
+    /// Inertia of hub, blades and tip masses, J_r.
     pub(crate) rotor: f64,
     /// Inertia of the generator about its own, high-speed shaft, J_g.
     pub(crate) generator: f64,
@@ -50,7 +50,7 @@ impl Shaft {
         }
     }
 
-    /// The inertia against a roll of the nacelle, kg m².
+    /// The inertia that acts against a roll of the nacelle, kg m².
     pub(super) fn felt_by_nacelle(&self, lock: RotorLock) -> f64 {
         let Self {
             rotor,
@@ -70,7 +70,7 @@ impl Shaft {
     }
 }
 
-/// Whether a rotor may turn about its shaft, the x axis, without moving anything else.
+/// Whether a rotor can rotate about its shaft, the x axis, without moving anything else.
 pub(super) fn is_balanced(rotor: &RigidBody, radius_m: f64) -> bool {
     let [_, y, z] = rotor.center_m;
     let tensor = rotor.tensor_about([0.0; 3]);
@@ -107,7 +107,7 @@ mod tests {
         assert!((reversed / by_hand - 9604.0 / 9216.0).abs() < 1e-15);
     }
 
-    /// The minimum of the kinetic energy over the rate x of the shaft, found by trying rates, is
+    /// The minimum of the kinetic energy over the rate x of the shaft, found by a search, equals
     /// the value of the formula.
     #[test]
     fn a_free_rotor_turns_so_that_the_energy_is_least() {

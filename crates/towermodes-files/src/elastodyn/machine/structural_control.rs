@@ -1,8 +1,8 @@
 //! The structural controls of ServoDyn (StC): masses on springs, liquid columns and forces in
 //! blades, nacelle, tower and platform.
 //!
-//! A mass on springs moves rigidly with its part of the turbine: its damper is locked. What has no
-//! such mass, and what is in the blades, is left out.
+//! A mass on springs moves rigidly with its part of the turbine, as a locked damper. Controls
+//! without such a mass, and those in the blades, are omitted.
 
 use std::ops::Range;
 
@@ -18,7 +18,7 @@ use crate::records::{Lines, Token};
 use crate::resolver::{FileResolver, beside, folder_of};
 use crate::source::Source;
 
-/// Where structural controls are.
+/// The part of the turbine that carries structural controls.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Part {
     Blades,
@@ -37,7 +37,7 @@ impl Part {
         }
     }
 
-    /// What the positions of its structural controls are measured from.
+    /// The reference point of the positions of its structural controls.
     fn origin(self) -> &'static str {
         match self {
             Self::Blades => "the root of the blade",
@@ -62,11 +62,11 @@ const CONTROLS: [(&str, Option<&str>, Part); 6] = [
 /// The masses of structural controls by the part of the turbine that carries them, and notes.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Controls {
-    /// On the nacelle, from the tower top.
+    /// On the nacelle, measured from the tower top.
     pub(crate) nacelle: Vec<RigidBody>,
-    /// On the tower, from its base; z is along it.
+    /// On the tower, measured from its base; z is along the tower.
     pub(crate) tower: Vec<RigidBody>,
-    /// On the platform or the transition piece, from the platform's reference point.
+    /// On the platform or the transition piece, measured from the platform's reference point.
     pub(crate) platform: Vec<RigidBody>,
     pub(crate) notes: Vec<Note>,
 }
@@ -79,8 +79,8 @@ pub(crate) fn with_masses(body: RigidBody, masses: &[RigidBody]) -> RigidBody {
     }
 }
 
-/// The structural controls of the file of ServoDyn that an `.fst` file names. A file of ServoDyn
-/// that cannot be read has a note where its other values matter.
+/// The structural controls of the ServoDyn file that an `.fst` file names. If this file cannot be
+/// read, there is a note if its other values matter.
 pub(crate) fn structural_controls(
     fst: &Source,
     main: &MainFile,
@@ -118,7 +118,7 @@ pub(crate) fn structural_controls(
     controls
 }
 
-/// The note on the structural controls of a part of the turbine that are left out.
+/// The note on the structural controls of a part of the turbine that are omitted.
 fn left_out(servo: &Servo<'_>, name: &str, part: Part, count: i64, at: usize) -> Note {
     let place = part.name();
     let what = match count {
@@ -140,7 +140,7 @@ struct Servo<'a> {
 }
 
 impl Servo<'_> {
-    /// The first paths on a line, which are before its name.
+    /// The first paths on a line, before its name.
     fn paths(&self, name: &str, count: usize) -> Vec<Token<'_>> {
         let is_name = |token: &Token<'_>| token.text.eq_ignore_ascii_case(name);
         let mut lines = Lines::new(&self.source.text);
@@ -207,7 +207,7 @@ impl Controls {
     }
 }
 
-/// The tower between its base and its top, along z from the base, m.
+/// The range of the tower between base and top, along z from the base, m.
 fn tower_m(main: &MainFile) -> Range<f64> {
     let length_m = main.tower_top_m - main.tower_base_m;
     length_m.min(0.0)..length_m.max(0.0)

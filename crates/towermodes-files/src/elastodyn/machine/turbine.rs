@@ -1,4 +1,4 @@
-//! The turning turbine of an ElastoDyn model: nacelle, drivetrain and flexible blades.
+//! The turbine with rotating rotor of an ElastoDyn model: nacelle, drivetrain and flexible blades.
 
 use towermodes::turbine::RotorError;
 use towermodes::turbine::{Generator, Hub, TurbineDescription, TurbineError};
@@ -23,7 +23,7 @@ pub(crate) struct Parts<'a> {
     pub(crate) source: &'a Source,
     /// The content of each blade's file.
     pub(crate) blades: &'a [BladeFile],
-    /// The masses of structural controls on the nacelle, from the tower top.
+    /// The masses of structural controls on the nacelle, measured from the tower top.
     pub(crate) on_nacelle: &'a [RigidBody],
     /// The yaw spring; none if the nacelle does not yaw or if there is no `.fst` file.
     pub(crate) yaw: Option<YawSpring>,
@@ -33,7 +33,7 @@ pub(crate) struct Parts<'a> {
 /// Why there is no turbine: the parameter that shows it, and the sentence.
 type Reason = (&'static str, String);
 
-/// The turbine, or why there is none.
+/// The turbine, or the reason why there is none.
 pub(crate) fn turbine(parts: &Parts<'_>) -> TurbineReading {
     if let Some(YawSpring::Impossible(reason)) = &parts.yaw {
         return TurbineReading::missing(reason.clone());
@@ -49,7 +49,8 @@ pub(crate) fn turbine(parts: &Parts<'_>) -> TurbineReading {
     checked.unwrap_or_else(|error| missing((parameter_of(&error), error.to_string())))
 }
 
-/// The first property of a model that no turbine can have, or that is not solved.
+/// The first property of a model that is impossible for a turbine, or that the program does not
+/// solve.
 fn reason(parts: &Parts<'_>) -> Option<Reason> {
     let main = parts.main;
     let blades = main.blade_count;
@@ -75,7 +76,7 @@ fn reason(parts: &Parts<'_>) -> Option<Reason> {
         .or_else(|| missing_spring(main))
 }
 
-/// Blades that differ make no rotor whose equations have constant coefficients.
+/// Different blades would make the coefficients of the equations periodic.
 fn unlike_blades(parts: &Parts<'_>) -> Option<Reason> {
     let main = parts.main;
     let (first, others) = parts.blades.split_first()?;
@@ -165,12 +166,12 @@ fn description(parts: &Parts<'_>) -> TurbineDescription {
     }
 }
 
-/// Whether the generator turns freely: as the model has it, or because the user says so.
+/// Whether the generator rotates freely: in the model, or by an option of the user.
 fn turns_freely(parts: &Parts<'_>) -> bool {
     parts.main.machine_dofs.generator || parts.lock == RotorLock::Free
 }
 
-/// A blade with twist and pitch positive towards feather, as ElastoDyn has them.
+/// A blade whose twist and pitch are positive towards feather, as in ElastoDyn.
 fn blade(main: &MainFile, file: &BladeFile) -> BladeDescription {
     let mut blade = rotor::blade(main, file);
     // A tower file, which a turbine is written to, has no names of blades.
@@ -218,7 +219,7 @@ fn notes(parts: &Parts<'_>) -> Vec<Note> {
     notes
 }
 
-/// Whether the generator turns.
+/// The note on the state of the generator.
 fn generator_note(parts: &Parts<'_>) -> Note {
     match (parts.main.machine_dofs.generator, parts.lock) {
         (true, _) => {
@@ -233,7 +234,7 @@ fn generator_note(parts: &Parts<'_>) -> Note {
     }
 }
 
-/// The note on a nacelle that should yaw and does not.
+/// The note on a nacelle that should yaw but does not.
 fn yaw_note(parts: &Parts<'_>) -> Option<Note> {
     if !parts.main.machine_dofs.yaw {
         return None;
@@ -249,7 +250,7 @@ fn yaw_note(parts: &Parts<'_>) -> Option<Note> {
     }
 }
 
-/// The parameter that an error of the library is on.
+/// The parameter that an error of the library is about.
 fn parameter_of(error: &TurbineError) -> &'static str {
     let quantity = match error {
         TurbineError::Blade(_) => return BLADES[0],

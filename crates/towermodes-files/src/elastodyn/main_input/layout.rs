@@ -1,6 +1,6 @@
 //! Recognizes the layout of a main file of ElastoDyn.
 //!
-//! OpenFAST reads the file by position, each version with its own layout. The layouts differ in
+//! OpenFAST reads the file by position, and each version has its own layout. The layouts differ in
 //! blocks of records; a file has the blocks whose names are on its lines.
 
 use std::collections::{BTreeMap, HashMap};
@@ -27,13 +27,13 @@ impl Entry {
         }
     }
 
-    /// Whether it is a parameter of this name.
+    /// Whether the entry is a parameter of this name.
     fn is(&self, name: Option<&str>) -> bool {
         matches!(self, Self::Parameter(record) if name == Some(record.name))
     }
 }
 
-/// The entries of the layout with some names.
+/// The entries of the layout that contains these names.
 fn layout(names: &[Option<&'static str>]) -> Vec<Entry> {
     let is_named = |name: &'static str| names.contains(&Some(name));
     let is_there = |block: &&Block| match block.presence {
@@ -51,7 +51,7 @@ fn layout(names: &[Option<&'static str>]) -> Vec<Entry> {
     entries.collect()
 }
 
-/// More lines than any layout has.
+/// Largest number of lines of a layout.
 const LONGEST: usize = 200;
 
 /// A parameter with its line.
@@ -92,7 +92,7 @@ pub(crate) fn parameters(text: &str) -> Result<BTreeMap<&'static str, Placed<'_>
 }
 
 /// Whether a line and its neighbour have each other's names and equal values: then it does not
-/// matter that OpenFAST goes by the position and not by the name.
+/// matter that OpenFAST reads by position and not by name.
 fn is_exchanged(
     index: usize,
     layout: &[Entry],
@@ -122,7 +122,7 @@ fn known_names(lines: &[Line<'_>]) -> Vec<Option<&'static str>> {
     lines.iter().map(name).collect()
 }
 
-/// Checks that a line can be the entry at its place.
+/// Checks that a line can be the entry at its position.
 fn check(entry: Entry, line: &Line<'_>, name: Option<&'static str>) -> Result<(), Diagnostic> {
     if let Entry::Parameter(record) = entry {
         check_no_comment(line, record.name)?;

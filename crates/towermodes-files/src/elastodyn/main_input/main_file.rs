@@ -14,18 +14,18 @@ pub struct MainFile {
     pub header: [String; 2],
     /// Acceleration of gravity, m/s² (`Gravity`); since OpenFAST 3.0 it is in the `.fst` file.
     pub gravity_m_per_s2: Option<f64>,
-    /// Whether the blades' modes move: first and second flapwise (`FlapDOF1`, `2`), first edgewise
-    /// (`EdgeDOF`).
+    /// Whether the degrees of freedom of the blades are enabled: first and second flapwise
+    /// (`FlapDOF1`, `2`), first edgewise (`EdgeDOF`).
     pub blade_dofs: [bool; 3],
-    /// Whether the blades turn on their pitch bearings (`PitchDOF`, since OpenFAST 5.0).
+    /// Whether the blades rotate in their pitch bearings (`PitchDOF`, since OpenFAST 5.0).
     pub pitch_dof: bool,
     /// The degrees of freedom between tower and blades.
     pub machine_dofs: MachineDofs,
-    /// Whether the tower's modes move: first and second fore-aft (`TwFADOF1`, `2`), first and
-    /// second side-side (`TwSSDOF1`, `2`).
+    /// Whether the degrees of freedom of the tower are enabled: first and second fore-aft
+    /// (`TwFADOF1`, `2`), first and second side-side (`TwSSDOF1`, `2`).
     pub tower_dofs: [bool; 4],
-    /// Whether the platform moves: surge, sway, heave, roll, pitch, yaw (`PtfmSgDOF` to
-    /// `PtfmYDOF`).
+    /// Whether the degrees of freedom of the platform are enabled: surge, sway, heave, roll, pitch,
+    /// yaw (`PtfmSgDOF` to `PtfmYDOF`).
     pub platform_dofs: [bool; 6],
     /// Pitch of each blade at the start, positive towards feather, degrees (`BlPitch`); unused ones
     /// are zero.
@@ -43,12 +43,12 @@ pub struct MainFile {
     pub precone_deg: [f64; 3],
     /// Distance from the rotor's apex to the hub's centre of mass, positive downwind, m (`HubCM`).
     pub hub_center_m: f64,
-    /// Distance from the teeter pin to the rotor's apex of two blades, m (`UndSling`).
+    /// Distance from the teeter pin to the rotor's apex for two blades, m (`UndSling`).
     pub undersling_m: f64,
-    /// Angle of the teeter pin of two blades, degrees (`Delta3`).
+    /// Angle of the teeter pin for two blades, degrees (`Delta3`).
     pub delta3_deg: f64,
-    /// Distance along the shaft from the yaw axis to the rotor's apex, or to the teeter pin of two
-    /// blades, positive downwind, m (`OverHang`).
+    /// Distance along the shaft from the yaw axis to the rotor's apex, or for two blades to the
+    /// teeter pin, positive downwind, m (`OverHang`).
     pub overhang_m: f64,
     /// Angle of the shaft from the horizontal, degrees; negative if the upwind end is the higher
     /// one (`ShftTilt`).
@@ -66,16 +66,16 @@ pub struct MainFile {
     pub tip_masses_kg: [f64; 3],
     /// Mass of the hub, kg (`HubMass`).
     pub hub_mass_kg: f64,
-    /// Inertia of the hub, kg m² (`HubIner`): about the shaft, but of two blades in files before
+    /// Inertia of the hub, kg m² (`HubIner`): about the shaft, but for two blades in files before
     /// OpenFAST 4.2 about the teeter axis.
     pub hub_inertia_kg_m2: f64,
     /// Inertia of the hub about the teeter axis, kg m² (`HubIner_Teeter`, since OpenFAST 4.2).
     pub hub_teeter_inertia_kg_m2: Option<f64>,
-    /// Inertia of the generator about the fast shaft, kg m² (`GenIner`).
+    /// Inertia of the generator about the high-speed shaft, kg m² (`GenIner`).
     pub generator_inertia_kg_m2: f64,
     /// Gearbox ratio (`GBRatio`).
     pub gearbox_ratio: f64,
-    /// Torsional stiffness of the shaft at its slow end, N m/rad (`DTTorSpr`).
+    /// Torsional stiffness of the drivetrain referred to the low-speed shaft, N m/rad (`DTTorSpr`).
     pub shaft_n_m_per_rad: f64,
     /// Mass of the nacelle, kg (`NacMass`).
     pub nacelle_mass_kg: f64,
@@ -88,10 +88,10 @@ pub struct MainFile {
     /// The number of elements of a blade in ElastoDyn (`BldNodes`); not in the files of ElastoDyn
     /// 1.00 and 1.01.
     pub blade_nodes: Option<usize>,
-    /// The file of each blade as written, relative to the main file (`BldFile`); as many
-    /// as there are blades.
+    /// The file of each blade as written, relative to the main file (`BldFile`); as many as there
+    /// are blades.
     pub blade_files: Vec<String>,
-    /// Whether there is a model of furling in another file (`Furling`).
+    /// Whether another file contains a furling model (`Furling`).
     pub furling: bool,
     /// The number of elements of the tower in ElastoDyn (`TwrNodes`).
     pub tower_nodes: usize,
@@ -106,9 +106,9 @@ pub struct MainFile {
 pub struct MachineDofs {
     /// Teeter of a rotor of two blades (`TeetDOF`).
     pub teeter: bool,
-    /// Twist of the shaft (`DrTrDOF`).
+    /// Torsion of the shaft (`DrTrDOF`).
     pub shaft: bool,
-    /// Rotation of the generator; without it the generator turns at constant speed (`GenDOF`).
+    /// Rotation of the generator; if disabled, the generator rotates at constant speed (`GenDOF`).
     pub generator: bool,
     /// Yaw of the nacelle (`YawDOF`).
     pub yaw: bool,
@@ -123,23 +123,23 @@ pub struct Platform {
     /// `PtfmYIner`).
     pub inertia_kg_m2: [f64; 3],
     /// Entries xy, yz, xz of its inertia tensor, kg m² (`PtfmXYIner`, `PtfmYZIner`, `PtfmXZIner`);
-    /// zero where the file has none.
+    /// zero if the file does not contain them.
     pub products_kg_m2: [f64; 3],
     /// Its centre of mass, m (`PtfmCMxt`, `PtfmCMyt`, `PtfmCMzt`).
     pub center_m: [f64; 3],
     /// The reference point of its motion, m (`PtfmRefxt`, `PtfmRefyt`, `PtfmRefzt`; in ElastoDyn
-    /// 1.00 z is −`PtfmRef`); x and y are zero where the file has none.
+    /// 1.00 z is −`PtfmRef`); x and y are zero if the file does not contain them.
     pub reference_m: [f64; 3],
 }
 
 impl MainFile {
-    /// The bytes of the file that a parameter's value takes, by its name such as `TowerHt` or
+    /// The byte range of a parameter's value in the file, by a name such as `TowerHt` or
     /// `BldFile(1)`.
     pub fn span(&self, key: &str) -> Option<Range<usize>> {
         self.spans.get(key).cloned()
     }
 
-    /// The same for a parameter that every layout has.
+    /// The byte range of the value of a parameter that every layout has.
     pub(crate) fn place(&self, key: &str) -> Range<usize> {
         self.span(key).unwrap_or(0..0)
     }

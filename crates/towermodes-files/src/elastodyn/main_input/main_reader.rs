@@ -115,7 +115,8 @@ fn check(file: &MainFile) -> Result<(), Diagnostic> {
     check_hub(file)
 }
 
-/// The inertia of the nacelle about the yaw axis includes that of its mass at its offset.
+/// Checks that the inertia of the nacelle about the yaw axis is at least that of its mass at its
+/// offset.
 fn check_nacelle(file: &MainFile) -> Result<(), Diagnostic> {
     let [x, y, _] = file.nacelle_center_m;
     let least = file.nacelle_mass_kg * (x * x + y * y);
@@ -128,7 +129,8 @@ fn check_nacelle(file: &MainFile) -> Result<(), Diagnostic> {
     Ok(())
 }
 
-/// The inertia of the hub about the teeter axis includes that of its mass at its offset.
+/// Checks that the inertia of the hub about the teeter axis is at least that of its mass at its
+/// offset.
 fn check_hub(file: &MainFile) -> Result<(), Diagnostic> {
     let (about_shaft, about_teeter_axis) = hub_inertia_kg_m2(file);
     if about_shaft >= 0.0 && about_teeter_axis >= 0.0 {
@@ -203,7 +205,7 @@ impl<'a> Values<'a> {
         Err(parameter.out_of_range(count as f64, "at most 3 in ElastoDyn"))
     }
 
-    /// A number of each blade; those of blades that are not there are not read.
+    /// A number for each blade; those of blades that do not exist are not read.
     fn of_blades(&self, names: [&'static str; 3], count: usize) -> Result<[f64; 3], Diagnostic> {
         let mut values = [0.0; 3];
         for (value, name) in values.iter_mut().zip(names).take(count) {
@@ -212,7 +214,7 @@ impl<'a> Values<'a> {
         Ok(values)
     }
 
-    /// A number that only a rotor of two blades has.
+    /// A number that applies only to a rotor of two blades.
     fn of_two_blades(&self, name: &'static str, count: usize) -> Result<f64, Diagnostic> {
         match count {
             2 => self.number(name),
@@ -220,8 +222,8 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// Height of the flexible tower's base, m: under its name since ElastoDyn 1.01, or under the
-    /// two names before.
+    /// Height of the flexible tower's base, m: `TowerBsHt` since ElastoDyn 1.01, two other
+    /// parameters before.
     fn tower_base_m(&self) -> Result<f64, Diagnostic> {
         if self.lines.contains_key("TwrRBHt") {
             return Ok(self.number("TwrRBHt")? - self.number("TwrDraft")?);
@@ -254,7 +256,7 @@ impl<'a> Values<'a> {
         })
     }
 
-    /// Height of the platform's reference point, m: downwards in ElastoDyn 1.00.
+    /// Height of the platform's reference point, m; in ElastoDyn 1.00 it is positive downwards.
     fn reference_z_m(&self) -> Result<f64, Diagnostic> {
         if self.lines.contains_key("PtfmRef") {
             return Ok(0.0 - self.number("PtfmRef")?);
@@ -272,7 +274,7 @@ impl<'a> Values<'a> {
     }
 }
 
-/// A value of each name.
+/// The values of several names.
 fn each<T, const N: usize>(
     names: [&'static str; N],
     read: impl Fn(&'static str) -> Result<T, Diagnostic>,

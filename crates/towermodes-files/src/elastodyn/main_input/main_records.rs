@@ -1,5 +1,5 @@
-//! The records of the main file of ElastoDyn in their order, in all layouts that the file has had:
-//! the one table that recognition, reading, names and messages go by.
+//! The records of the main file of ElastoDyn in their order, in all layouts of the file: the only
+//! table that is used for recognition, reading, names and messages.
 //!
 //! Source: `ReadPrimaryFile` in `ElastoDyn_IO.f90` from FAST 8 to OpenFAST 5.0.
 
@@ -16,11 +16,11 @@ pub(super) struct Block {
 
 /// The layouts that have a block.
 pub(super) enum Presence {
-    /// All.
+    /// All layouts.
     Always,
-    /// Those with one of its own names.
+    /// Layouts that contain one of the names of the block.
     IfNamed,
-    /// Those without these names, which were in its place before.
+    /// Layouts without these names, which replaced the block in earlier versions.
     Unless(&'static [&'static str]),
 }
 
@@ -56,7 +56,7 @@ const fn unread(name: &'static str) -> Record {
     record(name, "a value", Kind::Other)
 }
 
-/// Records in the place of older ones.
+/// Records that replace older ones.
 const fn instead_of(old: &'static [&'static str], records: &'static [Record]) -> Block {
     let (presence, heading) = (Presence::Unless(old), None);
     Block {
@@ -66,12 +66,12 @@ const fn instead_of(old: &'static [&'static str], records: &'static [Record]) ->
     }
 }
 
-/// All blocks in order. The blocks that not every layout has: the heights of the tower's base and
-/// of the platform's reference point, with other names in ElastoDyn 1.00; the number of blade
-/// nodes, not in ElastoDyn 1.00 and 1.01; gravity, in the `.fst` file since OpenFAST 3.0; products
-/// of inertia of the platform and yaw friction, since 4.0; the hub's inertia about the teeter axis,
-/// since 4.2; inertias of pitch bearings and blades, the platform's reference point in x and y, and
-/// pitch actuators, since 5.0.
+/// All blocks in order. The following blocks are not in every layout: the heights of the tower's
+/// base and of the platform's reference point, with other names in ElastoDyn 1.00; the number of
+/// blade nodes, not in ElastoDyn 1.00 and 1.01; gravity, in the `.fst` file since OpenFAST 3.0;
+/// products of inertia of the platform and yaw friction, since 4.0; the hub's inertia about the
+/// teeter axis, since 4.2; inertias of pitch bearings and blades, the platform's reference point in
+/// x and y, and pitch actuators, since 5.0.
 pub(super) const BLOCKS: &[Block] = &[
     block(
         Some("SIMULATION CONTROL"),

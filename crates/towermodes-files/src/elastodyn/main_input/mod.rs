@@ -1,4 +1,4 @@
-//! The main file of ElastoDyn: its records in every layout, and what a tower needs of them.
+//! The main file of ElastoDyn: its records in every layout, and the values that a tower needs.
 
 pub(super) mod layout;
 pub(super) mod main_file;

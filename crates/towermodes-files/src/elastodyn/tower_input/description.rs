@@ -15,10 +15,10 @@ use super::tower_reader::TowerSpans;
 use crate::note::Note;
 use crate::places::{Places, TABLE};
 
-/// The note that ElastoDyn's towers only bend.
+/// The note that ElastoDyn's towers have only bending flexibility.
 pub(crate) const ONLY_BENDS: &str = "towers of ElastoDyn are rigid in torsion and axially and have no rotary inertia: there are only bending modes";
 
-/// Where the flexible tower begins and ends, m.
+/// The heights of both ends of the flexible tower, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Ends {
     pub(crate) base_m: f64,
@@ -42,8 +42,8 @@ impl Ends {
         Self { base_m, top_m }
     }
 
-    /// A body on the axis of the tower; its z is its distance along it from the base, which is
-    /// negative on a tower that hangs.
+    /// A body on the axis of the tower; its z is the distance from the base along the axis, which
+    /// is negative for a hanging tower.
     pub(crate) fn point_mass(&self, body: &RigidBody) -> PointMass {
         let [_, _, z] = body.center_m;
         PointMass {
@@ -79,7 +79,7 @@ pub(crate) fn upside_down(body: &RigidBody) -> RigidBody {
 /// The note that a hanging tower is solved upside down.
 pub(crate) fn hanging_note(ends: Ends) -> Note {
     Note::approximation(format!(
-        "the tower hangs from z = {} m down to {} m: it is solved upside down, its heights are depths, and self-weight and buoyancy, which act against each other, are left out",
+        "the tower hangs from z = {} m down to {} m: it is solved upside down, heights in the results are depths, and self-weight and buoyancy, which act against each other, are left out",
         0.0 - ends.base_m,
         0.0 - ends.top_m
     ))
@@ -138,7 +138,7 @@ const STATION_KEYS: [&str; 4] = [
     "ei_side_side_n_m2",
 ];
 
-/// Remembers the places of the values of the tower file, which is one of the tower's files.
+/// Stores the places of the values of the tower file, which is one of the tower's files.
 pub(crate) fn remember(places: &mut Places, file: usize, spans: &TowerSpans) {
     places.remember(Place::Stations, file, spans.count.clone());
     let mut at = |place, span: &Range<usize>| places.remember(place, file, span.clone());

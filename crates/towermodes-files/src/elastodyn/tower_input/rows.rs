@@ -6,7 +6,7 @@ use super::super::record::Kind;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Token};
 
-/// The numbers at the beginning of a row, one for each column; further ones are not read.
+/// The numbers at the beginning of a row, one for each column; further numbers are not read.
 pub(crate) fn numbers<'a, const N: usize>(
     line: &Line<'a>,
     row: &str,
@@ -42,7 +42,7 @@ pub(crate) fn check_cell(
     }
 }
 
-/// Whether two fractions of a length agree as well as OpenFAST requires in double precision.
+/// Whether two fractions of a length agree within the tolerance of OpenFAST in double precision.
 fn is_fraction(value: f64, wanted: f64) -> bool {
     (value - wanted).abs() <= 1e-14
 }

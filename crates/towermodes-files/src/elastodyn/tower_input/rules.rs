@@ -6,7 +6,7 @@ use towermodes_analysis::elastodyn::{COEFFICIENT_DECIMALS, RoundingError, TowerP
 use super::tower_file::TowerFile;
 use super::tower_records as records;
 
-/// Why a content cannot be written as a tower file: OpenFAST would refuse it, or the file would
+/// Why content cannot be written as a tower file: OpenFAST would refuse it, or the file would
 /// describe another tower.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -21,13 +21,13 @@ pub enum TowerFileError {
         /// The range.
         rule: &'static str,
     },
-    /// Fewer than two rows, those of base and top.
+    /// Fewer than two rows (base and top).
     #[error("a tower file has at least 2 rows of distributed properties, not {rows}")]
     Rows {
         /// Number of rows.
         rows: usize,
     },
-    /// Coefficients that cannot be printed so that they add up to 1.
+    /// Coefficients that cannot be printed with a sum of 1.
     #[error("{shape}: {error}")]
     Coefficients {
         /// The name of the shape.
@@ -35,7 +35,7 @@ pub enum TowerFileError {
         /// The reason.
         error: RoundingError,
     },
-    /// Masses, but no section for them.
+    /// Concentrated masses, but no section for them.
     #[error(
         "the tower has {masses} concentrated masses, but the section for them is not requested; OpenFAST has it since 4.2"
     )]
@@ -45,7 +45,7 @@ pub enum TowerFileError {
     },
 }
 
-/// The coefficients of a shape as they are printed: decimals that add up to 1.
+/// The coefficients of a shape as they are printed: decimals whose sum is 1.
 pub(crate) fn coefficient_texts(
     shape: &'static str,
     coefficients: [f64; 5],
@@ -58,7 +58,7 @@ pub(crate) fn coefficient_texts(
 }
 
 /// Checks what OpenFAST 5.0 checks, and that numbers are finite and factors positive. The
-/// coefficients are checked where they are printed.
+/// coefficients are checked when they are printed.
 pub(crate) fn check(content: &TowerFile) -> Result<(), TowerFileError> {
     let damping = content.damping_percent();
     let factors = content.factors();

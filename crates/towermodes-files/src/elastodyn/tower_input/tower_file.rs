@@ -26,7 +26,7 @@ pub struct TowerFile {
     /// The coefficients of x² to x⁶: of the first and second fore-aft, first and second side-side
     /// mode.
     pub coefficients: [[f64; 5]; 4],
-    /// Concentrated masses; OpenFAST has the section since 4.2.
+    /// Concentrated masses; OpenFAST reads this section since version 4.2.
     pub concentrated_masses: Vec<ConcentratedMass>,
 }
 
@@ -51,8 +51,8 @@ impl TowerFile {
         [first, second, third, fourth, mass, fore_aft, side_side]
     }
 
-    /// The rows from the base to the top. A uniform tower has one row (`NTwInpSt` = 1), which holds
-    /// at both ends.
+    /// The rows from the base to the top. A uniform tower has one row (`NTwInpSt` = 1), which is
+    /// used at both ends.
     pub fn rows_to_the_top(&self) -> impl Iterator<Item = TowerRow> + '_ {
         let top = match self.rows.as_slice() {
             [only] => Some(TowerRow {
@@ -78,7 +78,7 @@ pub struct TowerRow {
     pub side_side_n_m2: f64,
 }
 
-/// A mass at a height.
+/// A concentrated mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ConcentratedMass {
     /// Height as a fraction of the flexible tower, 0 to 1.

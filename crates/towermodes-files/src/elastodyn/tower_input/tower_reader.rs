@@ -26,22 +26,23 @@ const MODES: [&str; 4] = [
 /// A fraction of the length.
 const FRACTION: Kind = Kind::Number(|value| (0.0..=1.0).contains(&value), "from 0 to 1");
 
-/// OpenFAST refuses coefficients whose sum differs from 1 by more.
+/// OpenFAST refuses coefficients whose sum differs from 1 by more than this.
 const SUM_TOLERANCE: f64 = 0.0015;
 
-/// The factors on mass and stiffness of the rows among all factors, in the order of the columns.
+/// The indices of the factors on mass and stiffness of the rows among all factors, in the order of
+/// the columns.
 const ADJUSTMENTS: [usize; 3] = [4, 5, 6];
-/// Factors beyond these change a tower into another one.
+/// Factors outside this range change a tower into another one.
 const USUAL_ADJUSTMENTS: std::ops::RangeInclusive<f64> = 0.1..=10.0;
 
 /// The byte ranges of the values in a tower file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct TowerSpans {
-    /// The number of rows.
+    /// The byte range of the number of rows.
     pub(crate) count: Range<usize>,
-    /// Each row's values in the order of the columns.
+    /// The values of each row in the order of the columns.
     pub(crate) rows: Vec<[Range<usize>; 4]>,
-    /// Each concentrated mass's height and mass.
+    /// Height and mass of each concentrated mass.
     pub(crate) masses: Vec<[Range<usize>; 2]>,
     pub(crate) coefficients: CoefficientSpans,
 }
@@ -68,7 +69,7 @@ pub fn read_tower_file(
     Ok((file, spans.coefficients, notes))
 }
 
-/// The same with the places of all values.
+/// Reads a tower file with the places of all values.
 pub(crate) fn read_with_places(source: &Source) -> Result<TowerReading, Diagnostic> {
     let mut lines = Positional::new(&source.text, records::all());
     let header = lines.header(&records::ROWS)?;
@@ -126,7 +127,7 @@ fn on_adjustment(name: &str, value: f64) -> Note {
     ))
 }
 
-/// The numbers of parameters that follow each other.
+/// The numbers of successive parameters.
 fn values<const N: usize>(
     lines: &mut Positional<'_>,
     records: &[Record; N],
@@ -134,7 +135,7 @@ fn values<const N: usize>(
     Ok(parameters(lines, records)?.map(|(value, _)| value))
 }
 
-/// The same with their places.
+/// The numbers of successive parameters with their places.
 fn parameters<const N: usize>(
     lines: &mut Positional<'_>,
     records: &[Record; N],
@@ -218,7 +219,7 @@ fn coefficients(
     Ok(coefficients)
 }
 
-/// The section of concentrated masses, in files for OpenFAST since 4.2.
+/// The section of concentrated masses, in files for OpenFAST 4.2 and later.
 fn concentrated_masses(
     lines: &mut Positional<'_>,
     spans: &mut TowerSpans,

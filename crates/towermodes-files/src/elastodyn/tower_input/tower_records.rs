@@ -1,5 +1,5 @@
-//! The records of a tower file in their order: the one table that reading, writing, names and
-//! messages go by.
+//! The records of a tower file in their order: the only table that is used for reading, writing,
+//! names and messages.
 
 use super::super::record::{ANY, Kind, PERCENT, POSITIVE, Record, record};
 

@@ -1,10 +1,10 @@
-//! Columns of numbers in no more digits than they need.
+//! Columns of numbers with only as many digits as they need.
 
-/// Digits that every number has.
+/// Smallest number of digits.
 const LEAST_DIGITS: usize = 9;
-/// Digits that give back any number exactly.
+/// Number of digits that represents any number exactly.
 const ALL_DIGITS: usize = 17;
-/// Digits are added until they change no number by more than this fraction.
+/// Digits are added until no number is changed by more than this fraction.
 const TOLERANCE: f64 = 1e-13;
 
 /// A column of numbers with as many digits as all of them need, the same for each.
@@ -15,7 +15,7 @@ pub(crate) fn column(values: &[f64]) -> Vec<String> {
     })
 }
 
-/// A column of heights: besides, those that rise still do when they are read.
+/// A column of heights: additionally, increasing heights still increase when they are read back.
 pub(super) fn rising_column(values: &[f64]) -> Vec<String> {
     in_fewest_digits(values, |printed| {
         let rises = printed.windows(2).all(|pair| pair[1] > pair[0]);

@@ -1,11 +1,11 @@
-//! The difference of two texts as the program `patch` reads it.
+//! The difference of two texts in the format that the program `patch` reads.
 
 use std::ops::Range;
 
 /// Unchanged lines shown around a change.
 const CONTEXT: usize = 3;
 
-/// A block of lines that is another in the new text.
+/// A block of lines that differs in the new text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Change {
     old: Range<usize>,
@@ -14,8 +14,8 @@ struct Change {
 
 /// The unified difference of two texts; empty if they are the same.
 ///
-/// Made for texts whose lines changed in place: of texts with different numbers of lines, all
-/// between the first and the last change is one change. Line ends are shown as they are.
+/// Made for texts whose lines changed in place: if the numbers of lines differ, everything between
+/// the first and the last change is one change. Line ends are shown as they are.
 pub fn unified_diff(old_name: &str, new_name: &str, old: &str, new: &str) -> String {
     let old: Vec<&str> = old.split_inclusive('\n').collect();
     let new: Vec<&str> = new.split_inclusive('\n').collect();
@@ -80,7 +80,7 @@ fn write_hunk(hunk: &[Change], old: &[&str], new: &[&str], diff: &mut String) {
     write_lines(' ', &old[next..old_lines.end], diff);
 }
 
-/// The first line, from 1, and the number of lines; of no lines the line before them.
+/// The first line, from 1, and the number of lines; for no lines the line before them.
 fn position(lines: &Range<usize>) -> String {
     let first = lines.start + usize::from(!lines.is_empty());
     format!("{first},{}", lines.len())

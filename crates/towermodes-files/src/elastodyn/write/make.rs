@@ -1,4 +1,4 @@
-//! A complete tower file of a tower: the result of the analysis as the content of a file, with
+//! A complete tower file for a tower: the result of the analysis as the content of a file, with
 //! notes.
 
 use towermodes::Tower;
@@ -16,9 +16,9 @@ use crate::note::Note;
 pub struct MadeTowerFile {
     /// The content of the file.
     pub content: TowerFile,
-    /// The tower as ElastoDyn has it.
+    /// The tower in the model of ElastoDyn.
     pub made: MadeTower,
-    /// Notes on what the file does not contain.
+    /// Notes on data that the file does not contain.
     pub notes: Vec<Note>,
 }
 

@@ -1,5 +1,4 @@
-//! Tower files of ElastoDyn as text: written anew, or with new coefficients in the text that is
-//! there.
+//! ElastoDyn tower files as text: newly written, or with new coefficients in the existing text.
 
 pub(super) mod columns;
 pub(super) mod diff;

@@ -15,7 +15,7 @@ pub enum PatchError {
     /// Coefficients that cannot be written.
     #[error(transparent)]
     Coefficients(#[from] TowerFileError),
-    /// Places that are not those of numbers in this text, one after the other.
+    /// Byte ranges that do not contain successive numbers of this text.
     #[error("the coefficients are not at bytes {start} to {end} of this text")]
     Place {
         /// The first byte.
@@ -25,11 +25,12 @@ pub enum PatchError {
     },
 }
 
-/// The text with other coefficients, printed as decimals that add up to 1 exactly.
+/// The text with new coefficients, printed as decimals whose sum is exactly 1.
 ///
-/// Numbers keep their width where that is possible: shorter ones are filled with blanks; longer
-/// ones take blanks before them, or after them if one remains, so that the following text stays in
-/// its column. A number that is the same keeps its bytes. Line ends, comments and all else stay.
+/// Numbers keep their width if possible: shorter ones are padded with blanks; longer ones replace
+/// blanks before them, or after them if one remains, so that the following text stays in its
+/// column. An unchanged number keeps its bytes. Line ends, comments and everything else are not
+/// changed.
 ///
 /// # Errors
 /// [`PatchError`].
@@ -73,8 +74,7 @@ fn number(text: &str) -> Option<f64> {
     text.replace(['d', 'D'], "e").parse().ok()
 }
 
-/// The bytes of the text that a new number replaces, all after `done`, and the text that replaces
-/// them.
+/// The byte range that a new number replaces, entirely after `done`, and the text that replaces it.
 fn fitted(text: &str, span: &Range<usize>, done: usize, new: &str) -> (Range<usize>, String) {
     let blanks_before = blanks(text[done..span.start].bytes().rev());
     let line_starts = text[..span.start - blanks_before].bytes().next_back();

@@ -1,4 +1,4 @@
-//! Writes tower files of ElastoDyn with the layout and words of OpenFAST's examples.
+//! Writes ElastoDyn tower files in the layout and with the texts of OpenFAST's examples.
 
 use super::super::record::Record;
 use super::super::tower_input::rules::{TowerFileError, check, coefficient_texts};
@@ -9,16 +9,16 @@ use super::columns::{column, rising_column};
 /// The first line of every tower file.
 const TITLE: &str =
     "------- ELASTODYN V1.00.* TOWER INPUT FILE -------------------------------------";
-/// Lines end their rulers here.
+/// Rulers end at this column.
 const RULER: usize = 80;
-/// Values end at this column, so that names begin in one.
+/// Values end at this column, so that all names begin at the same column.
 const VALUE: usize = 14;
 
-/// The text of a tower file, which OpenFAST reads without a complaint as the same tower.
+/// The text of a tower file, which OpenFAST reads without error as the same tower.
 ///
-/// Coefficients are printed as decimals that add up to 1 exactly, other numbers with at least nine
-/// digits, and heights with as many digits as keep them apart. A content with concentrated masses
-/// needs the section for them, which OpenFAST has since 4.2.
+/// Coefficients are printed as decimals whose sum is exactly 1, other numbers with at least nine
+/// digits, and heights with as many digits as distinguish them. Content with concentrated masses
+/// needs the section for them, which OpenFAST reads since 4.2.
 ///
 /// # Errors
 /// [`TowerFileError`] if OpenFAST would refuse the file.
@@ -135,7 +135,7 @@ fn item(value: &str, record: &Record) -> String {
     format!("{value:>VALUE$}   {:<11} - {}", record.name, record.meaning)
 }
 
-/// A section's title in a ruler.
+/// A section title in a ruler.
 fn ruler(title: &str) -> String {
     format!("{:-<RULER$}", format!("---------------------- {title} "))
 }
@@ -149,7 +149,7 @@ fn title(text: &str) -> String {
     }
 }
 
-/// A header must not become two lines, because OpenFAST reads the file by position.
+/// A header without line breaks, because OpenFAST reads the file by position.
 fn one_line(text: &str) -> String {
     let plain = |c: char| {
         if c.is_control() || c == '\u{2028}' || c == '\u{2029}' {

@@ -1,4 +1,4 @@
-//! The names of a study of a design, found in the tower.
+//! The names in a design file, found in the tower.
 
 use towermodes::{Change, Operation, Parameter, TowerDescription};
 
@@ -7,11 +7,11 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 
 impl DesignStudy {
-    /// The values that the study chooses in a tower.
+    /// The variables and limits of the design file for a tower.
     ///
     /// # Errors
-    /// [`ReadError::Mistakes`] at each name that is no number of the tower, at a number that two
-    /// variables change, and at options that the numbers do not allow.
+    /// [`ReadError::Mistakes`] at each name that is not an input value of the tower, at an input
+    /// value that two variables change, and at options that the input values do not allow.
     pub fn choices(&self, tower: &TowerDescription) -> Result<DesignChoices, ReadError> {
         let mut choices = DesignChoices::default();
         let mut mistakes = Vec::new();
@@ -28,7 +28,7 @@ impl DesignStudy {
         }
     }
 
-    /// The mistake of a number that two variables change, at the second.
+    /// The mistake of an input value that two variables change, at the second.
     fn repeated(&self, choices: &DesignChoices) -> Option<Diagnostic> {
         let mut changed: std::collections::HashMap<Parameter, &str> = Default::default();
         for choice in &choices.variables {
@@ -53,7 +53,7 @@ impl DesignStudy {
     }
 }
 
-/// The numbers of a variable that have one value each.
+/// The input values of a variable, in groups that have one value each.
 fn groups(
     variable: &DesignVariable,
     tower: &TowerDescription,
@@ -104,7 +104,7 @@ fn groups(
     })
 }
 
-/// The height of the station to which a number belongs.
+/// The height of the station to which an input value belongs.
 fn height_m(number: Parameter, tower: &TowerDescription) -> Option<f64> {
     let name = number.to_string();
     let index = name.strip_prefix("stations[")?.split_once(']')?.0;

@@ -1,4 +1,4 @@
-//! `[design.frequencies]`: what a design must reach.
+//! `[design.frequencies]`: the frequency bands of a design.
 
 use std::ops::Range;
 
@@ -141,7 +141,7 @@ fn margin(value: &Value<'_>, reading: &mut Reading) -> Option<f64> {
     match (0.0..1.0).contains(&margin) {
         true => Some(margin),
         false => {
-            let rule = "a fraction from 0 to below 1, as 0.1 for 10 %";
+            let rule = "a fraction from 0 to below 1, for example 0.1 for 10 %";
             let kind = DiagnosticKind::out_of_range("margin", margin, rule);
             reading.refuse(Diagnostic::new(value.span(), kind))
         }

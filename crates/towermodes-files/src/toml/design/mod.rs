@@ -1,4 +1,4 @@
-//! Reads the study of a design: the table `[design]` of a TOML file.
+//! Reads a design file: the table `[design]` of a TOML file.
 
 mod choices;
 mod frequency;
@@ -20,13 +20,13 @@ use schema::{DESIGN, LIMITS, STUDY};
 
 pub use schema::design_study_schema;
 
-/// The minimum content of a study.
-const LEAST: &str = "a design file needs [design.variables] with the design variables, as \"stations[*].wall\" = { between = [0.012, 0.060] }, and [design.frequencies], as \"fore-aft 1\" = { min = 0.3 }";
+/// The minimum content of a design file.
+const LEAST: &str = "a design file needs [design.variables] with the design variables, for example \"stations[*].wall\" = { between = [0.012, 0.060] }, and [design.frequencies], as \"fore-aft 1\" = { min = 0.3 }";
 
-/// Reads the study of a design from a TOML file.
+/// Reads a design file in TOML.
 ///
 /// # Errors
-/// [`ReadError::Mistakes`] with all that were found.
+/// [`ReadError::Mistakes`] with all mistakes that were found.
 ///
 /// # Example
 /// ```
@@ -49,7 +49,7 @@ pub fn read_design_study(source: &Source) -> Result<DesignStudy, ReadError> {
     read_study(source, (LEAST, &STUDY), other_file, read)
 }
 
-/// The file is a tower or the study of a sweep.
+/// The mistake that the file describes a tower or is a sweep study.
 fn other_file(entries: &DeTable<'_>) -> Option<Diagnostic> {
     if entries.contains_key("design") {
         return None;
@@ -107,7 +107,7 @@ fn limits(design: &Table<'_>, reading: &mut Reading) -> Option<Limits> {
     ))
 }
 
-/// The highest ratio, or the lowest and highest one.
+/// The highest ratio, or the lowest and the highest ratio.
 fn ratios(value: &Value<'_>, reading: &mut Reading) -> Option<[f64; 2]> {
     let what = "diameter_to_wall";
     if value.get_ref().is_array() {

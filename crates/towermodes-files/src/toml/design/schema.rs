@@ -1,9 +1,9 @@
-//! The schema of the study of a design: all tables and keys with their types, units and meanings.
+//! The schema of the design file: all tables and keys with their types, units and meanings.
 
 use super::super::schema::{KeySchema, TableSchema, tables};
 
 tables! {
-    /// All tables of the study of a design.
+    /// All tables of the design file.
     ///
     /// # Example
     /// ```

@@ -1,4 +1,4 @@
-//! `[design.variables]`: what a design chooses.
+//! `[design.variables]`: the design variables.
 
 use std::ops::Range;
 
@@ -95,7 +95,7 @@ fn words(key: &'static str) -> ChoiceWords {
     }
 }
 
-/// Two numbers of which the first is lower.
+/// Two numbers, the first lower than the second.
 pub(super) fn range(
     value: &Value<'_>,
     what: &str,

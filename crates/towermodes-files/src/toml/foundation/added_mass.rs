@@ -15,7 +15,7 @@ pub(super) const KEY: &str = "added_mass_by_frequency";
 
 const HINT: &str = "a row has the angular frequency in rad/s and the upper triangle of the matrix row by row (21 numbers): [frequency, xx, xy, ...]; the first row is for the frequency 0, the last for inf";
 
-/// The table of some rows.
+/// The table made from some rows.
 pub(super) fn table(value: &Value<'_>, reading: &mut Reading) -> Option<Arc<AddedMassTable>> {
     reading.remember(at(KEY), value.span());
     let rows = list(value, KEY, reading)?;
@@ -48,7 +48,7 @@ pub(super) fn table(value: &Value<'_>, reading: &mut Reading) -> Option<Arc<Adde
     }))
 }
 
-/// The symmetric matrix of the entries on and above its diagonal.
+/// The symmetric matrix from the entries on and above its diagonal.
 fn of_triangle(entries: &[f64]) -> SpatialMatrix {
     let mut matrix = [[0.0; 6]; 6];
     let places = (0..6).flat_map(|i| (i..6).map(move |j| (i, j)));

@@ -18,7 +18,7 @@ pub(super) const KIND: Kind = Kind {
     read: Read::By(read),
 };
 
-/// Where the centre of mass is measured from.
+/// The reference point of the centre of mass.
 const CENTER: &str =
     "[x, y, z] in m: x and y from the tower's axis, z in the datum of the stations";
 
@@ -71,7 +71,7 @@ fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
 
 const AT_EQUILIBRIUM: &str = "at_equilibrium";
 
-/// Force and centre, if they are there.
+/// Force and centre of the buoyancy, if they are given.
 fn buoyancy(table: &Table<'_>, reading: &mut Reading) -> Option<Option<Buoyancy>> {
     let Some(value) = table.get("buoyancy") else {
         if !table.has_misspelled("buoyancy") {
@@ -100,7 +100,8 @@ fn buoyancy(table: &Table<'_>, reading: &mut Reading) -> Option<Option<Buoyancy>
     }))
 }
 
-/// A matrix that may be there and the height of the point that it is about, which then must be.
+/// An optional matrix, and the height of its reference point, which is required if the matrix is
+/// given.
 fn referred(
     table: &Table<'_>,
     key: &'static str,
@@ -120,9 +121,9 @@ fn referred(
     })
 }
 
-/// The height of the point that a matrix is about, m.
+/// The height of the reference point of a matrix, m.
 fn about(table: &Table<'_>, height_key: &str, reading: &mut Reading) -> Option<f64> {
-    let hint = "height in m, in the datum of the stations, of the reference point of the matrix";
+    let hint = "height of the reference point of the matrix in m, in the datum of the stations";
     let value = table.require(height_key, hint, reading)?;
     number(value, height_key, reading)
 }

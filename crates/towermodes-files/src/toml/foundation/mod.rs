@@ -1,5 +1,5 @@
-//! `[foundation]`: its type, and which keys belong to which. The values of a foundation by closed
-//! form are described beside its fields.
+//! `[foundation]`: its type, and the keys of each type. The values of a foundation by closed form
+//! are described beside its fields.
 
 mod added_mass;
 mod floating;
@@ -22,16 +22,16 @@ use crate::places::TABLE;
 struct Kind {
     name: &'static str,
     schema: &'static TableSchema,
-    /// How it holds the tower, for hints on keys of other types.
+    /// A text on how it supports the tower, for hints on keys of other types.
     nature: &'static str,
     read: Read,
 }
 
-/// How a foundation is read.
+/// The way in which a foundation is read.
 enum Read {
     /// By a function.
     By(fn(&Table<'_>, &mut Reading) -> Option<Foundation>),
-    /// By the descriptions of the values of a blank one.
+    /// Into this blank foundation, by the descriptions of its values.
     Into(Foundation),
 }
 
@@ -88,7 +88,8 @@ fn at(key: &'static str) -> Place {
     Place::Foundation { key }
 }
 
-/// Whether the foundation is of type "floating": a platform, or what holds a substructure afloat.
+/// Whether the foundation is of type "floating": a platform, or the restoring stiffness of a
+/// floating substructure.
 pub(super) fn floats(root: &Table<'_>) -> bool {
     let foundation = root.get("foundation");
     let table = foundation.and_then(|value| value.get_ref().as_table());

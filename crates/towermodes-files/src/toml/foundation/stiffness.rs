@@ -32,8 +32,8 @@ fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
     })))
 }
 
-/// A finite number, or an infinite one for a motion that is rigidly held; the checks of the tower
-/// limit where it may be.
+/// A finite number, or an infinite one for a fixed motion; the checks of the tower limit where it
+/// is allowed.
 fn stiffness_entry(value: &Value<'_>, what: &str, reading: &mut Reading) -> Option<f64> {
     infinity(value).or_else(|| number(value, what, reading))
 }

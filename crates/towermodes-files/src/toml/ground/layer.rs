@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::places::TABLE;
 use crate::toml::inputs::read;
 
-/// A layer whose model may still be that of the whole ground.
+/// A layer whose model may be that of the whole ground.
 pub(crate) struct Layer {
     layer: GroundLayer,
     model: Option<SoilModel>,
@@ -64,7 +64,7 @@ pub(super) fn layer(
     Some((Layer { layer, model }, name?))
 }
 
-/// The layers, those without a model with the one of the whole ground.
+/// The layers; layers without a model get the model of the whole ground.
 pub(super) fn with_models(
     layers: Vec<Layer>,
     common: Option<SoilModel>,

@@ -62,8 +62,8 @@ pub(super) fn ground(
     Some(Some((ground, names)))
 }
 
-/// Which edition is taken if the file names none; that it has no effect if it names one for
-/// nothing.
+/// The note on the edition of the standard that is used if the file names none, or that a given
+/// edition has no effect.
 fn note_edition(table: &Table<'_>, ground: &Ground, reading: &mut Reading) {
     let (modulus, axial) = (
         ground.modulus_depends_on_edition(),
@@ -79,7 +79,7 @@ fn note_edition(table: &Table<'_>, ground: &Ground, reading: &mut Reading) {
 }
 
 /// The support of the tip of a pile in ground, if the file has neither `[foundation]` nor
-/// `[substructure]`, whose piles have the springs of the soil alone.
+/// `[substructure]`; piles of a substructure have only the springs of the soil.
 pub(super) fn default_foundation(
     root: &Table<'_>,
     ground: &Ground,
@@ -107,7 +107,7 @@ pub(super) fn default_foundation(
     }))
 }
 
-/// The model of the layers that name none.
+/// The model of the layers that give none.
 fn model(table: &Table<'_>, reading: &mut Reading) -> Option<Option<SoilModel>> {
     let Some(value) = table.get("model") else {
         return Some(None);

@@ -1,4 +1,4 @@
-//! `profile` of `[[ground.layer]]`: a layer that is cut at the rows of a table in CSV.
+//! `profile` of `[[ground.layer]]`: a layer that is divided at the rows of a CSV table.
 
 use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -17,8 +17,8 @@ use crate::source::Source;
 
 const KEY: &str = "profile";
 
-/// The files that the layers of a file name as profiles, the first with this place among the
-/// tower's files.
+/// The files that the layers of a file name as profiles; the first has this index among the tower's
+/// files.
 pub(in crate::toml) fn profile_files(
     root: &DeTable<'_>,
     first: usize,
@@ -46,7 +46,7 @@ pub(in crate::toml) fn profile_files(
 }
 
 /// The layers of an entry with their names: one, or those between the rows of its profile. The
-/// first is number `first` of the ground.
+/// first is layer `first` of the ground.
 pub(super) fn layers(
     first: usize,
     value: &Value<'_>,
@@ -70,7 +70,8 @@ pub(super) fn layers(
             );
             let kind = DiagnosticKind::UnusedKey { key, because };
             let mistake = Diagnostic::new(value.span(), kind);
-            return reading.refuse(mistake.with_hint("keep the key or the column"));
+            return reading
+                .refuse(mistake.with_hint("give either the key or the column, not both"));
         }
     }
     let part = |numbers: &str, index: usize, reading: &mut Reading| {
@@ -97,7 +98,8 @@ pub(super) fn layers(
     Some(layers)
 }
 
-/// The table of an entry with its kind of soil and its profile, if it has one and may have one.
+/// The table of an entry with its kind of soil and its profile, if it has one and the kind allows
+/// one.
 fn with_profile<'v>(
     value: &'v Value<'v>,
 ) -> Option<(&'v DeTable<'v>, &'static Kind, &'v Value<'v>)> {
@@ -108,7 +110,7 @@ fn with_profile<'v>(
     Some((entry, kind, entry.get(KEY)?))
 }
 
-/// The file that an entry names, and its place among the tower's files.
+/// The file that an entry names, and its index among the tower's files.
 fn source_of(path: &str, named: &Value<'_>, reading: &mut Reading) -> Option<(Source, usize)> {
     let unreadable = |reason: &dyn std::fmt::Display| {
         let kind = DiagnosticKind::unreadable("the profile of the layer", &reason.to_string());
@@ -131,7 +133,7 @@ fn in_file<T>(source: Source, mistakes: Vec<Diagnostic>, reading: &mut Reading) 
     None
 }
 
-/// The profile, if a kind of soil has all of its quantities.
+/// The profile, if all of its quantities belong to one kind of soil.
 fn of_kind(profile: Profile, kind: &Kind) -> Result<Profile, Vec<Diagnostic>> {
     let is_foreign = |key: &str| kind.schema.key(key).is_none();
     let foreign = profile
@@ -151,8 +153,8 @@ fn of_kind(profile: Profile, kind: &Kind) -> Result<Profile, Vec<Diagnostic>> {
     }
 }
 
-/// The numbers of a piece of a layer as they would be written by hand; `ends_m` are top and bottom,
-/// if they are not those of the entry.
+/// The values of a piece of a layer as they would be written by hand; `ends_m` are top and bottom,
+/// if they differ from those of the entry.
 fn numbers(profile: &Profile, ends_m: Option<[f64; 2]>, values: &[Vec<f64>; 2]) -> String {
     let [upper, lower] = values;
     let mut text = String::new();
@@ -165,8 +167,8 @@ fn numbers(profile: &Profile, ends_m: Option<[f64; 2]>, values: &[Vec<f64>; 2]) 
     text
 }
 
-/// The entry with numbers in place of its profile; their place is that of the key that they
-/// replace, or of the profile.
+/// The entry with numbers instead of its profile; their place is that of the key that they replace,
+/// or of the profile.
 fn with_numbers<'t>(entry: &DeTable<'t>, named: &Value<'_>, numbers: &'t str) -> DeTable<'t> {
     let mut table = entry.clone();
     table.remove(KEY);
@@ -218,13 +220,13 @@ fn uncovered(profile: &Profile, [top_m, bottom_m]: [f64; 2]) -> Option<Diagnosti
 struct Cut {
     /// Heights of top and bottom, m.
     ends_m: [f64; 2],
-    /// The quantities there.
+    /// The quantities at top and bottom.
     values: [Vec<f64>; 2],
     /// The row at the top or above it.
     row: usize,
 }
 
-/// The pieces of a layer from the top down, each linear in height.
+/// The pieces of a layer from the top down, in each of which all quantities are linear in height.
 fn cuts(profile: &Profile, [top_m, bottom_m]: [f64; 2]) -> Vec<Cut> {
     let mut cuts = Vec::new();
     let mut upper_m = top_m;
@@ -250,7 +252,7 @@ fn cuts(profile: &Profile, [top_m, bottom_m]: [f64; 2]) -> Vec<Cut> {
     cuts
 }
 
-/// The quantities at a height between two rows; those of a row at its own height.
+/// The quantities at a height between two rows; at the height of a row those of the row.
 fn between(rows: &[Row], height_m: f64) -> Vec<f64> {
     let (upper, lower) = (&rows[0], &rows[1]);
     if let Some(row) = rows
@@ -266,7 +268,7 @@ fn between(rows: &[Row], height_m: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Remembers the places of the numbers of a piece that are in the file of the profile.
+/// Stores the places of the values of a piece that are in the file of the profile.
 fn remember(
     index: usize,
     cut: &Cut,

@@ -1,4 +1,4 @@
-//! Which shear modulus a layer gives: itself, or what it follows from.
+//! The source of the shear modulus of a layer: its value, or the values from which it follows.
 
 use towermodes::ShearModulus;
 use towermodes::inputs::given_inputs;
@@ -39,7 +39,7 @@ pub(super) fn shear_modulus(
     }
 }
 
-/// It, without keys that belong to another one.
+/// This shear modulus, if no keys of another source are given.
 fn of(modulus: ShearModulus, table: &Table<'_>, reading: &mut Reading) -> Option<ShearModulus> {
     let values = given_inputs(&Some(modulus)).into_iter();
     let used: Vec<&str> = values.map(|(input, _)| input.key).collect();

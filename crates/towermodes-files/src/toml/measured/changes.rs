@@ -10,7 +10,7 @@ impl MeasuredFile {
     /// The changes that the unknowns name, in their order.
     ///
     /// # Errors
-    /// [`ReadError::Mistakes`] at each name that is no number of the tower.
+    /// [`ReadError::Mistakes`] at each name that is not an input value of the tower.
     pub fn changes(&self, tower: &TowerDescription) -> Result<Vec<Change>, ReadError> {
         let mut mistakes = Vec::new();
         let mut changes = Vec::new();

@@ -1,5 +1,5 @@
-//! Reads measured frequencies and the numbers that are to explain them: the tables `[[measured]]`
-//! and `[calibrate]` of a TOML file.
+//! Reads measured frequencies and the input values to be fitted: the tables `[[measured]]` and
+//! `[calibrate]` of a TOML file.
 
 mod changes;
 mod mode;
@@ -19,13 +19,13 @@ use schema::MEASURED_FILE;
 
 pub use schema::measured_schema;
 
-/// The minimum content of a file of measurements.
+/// The minimum content of a calibration file.
 const LEAST: &str = "measurements need at least [[measured]] with mode = \"fore-aft 1\", frequency and deviation in Hz";
 
-/// Reads measured frequencies and the numbers that are to explain them from a TOML file.
+/// Reads measured frequencies and the input values to be fitted from a TOML file.
 ///
 /// # Errors
-/// [`ReadError::Mistakes`] with all that were found.
+/// [`ReadError::Mistakes`] with all mistakes that were found.
 ///
 /// # Example
 /// ```
@@ -50,7 +50,7 @@ pub fn read_measured(source: &Source) -> Result<MeasuredFile, ReadError> {
     read_study(source, (LEAST, &MEASURED_FILE), other_file, read)
 }
 
-/// The file is a tower or a study.
+/// The mistake that the file describes a tower, or is a study.
 fn other_file(entries: &DeTable<'_>) -> Option<Diagnostic> {
     if entries.contains_key("measured") {
         return None;
@@ -76,7 +76,7 @@ fn file(root: &Table<'_>, source: &Source, reading: &mut Reading) -> Option<Meas
     })
 }
 
-/// All `[[measured]]`; each mode once.
+/// All `[[measured]]`; each mode may occur only once.
 fn measured(root: &Table<'_>, reading: &mut Reading) -> Option<Vec<MeasuredMode>> {
     root.require("measured", LEAST, reading)?;
     let measured = every_table(root, "measured", "mode", reading, mode::mode)?;

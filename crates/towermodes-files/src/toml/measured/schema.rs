@@ -1,9 +1,9 @@
-//! The schema of measured frequencies: all tables and keys with their types, units and meanings.
+//! The schema of the calibration file: all tables and keys with their types, units and meanings.
 
 use super::super::schema::{KeySchema, TableSchema, tables};
 
 tables! {
-    /// All tables of a file of measured frequencies.
+    /// All tables of a calibration file.
     ///
     /// # Example
     /// ```
@@ -31,7 +31,7 @@ tables! {
 
     /// `[[measured]]`.
     MEASURED = "[[measured]]":
-        optional "mode" Text "" "the mode, as fore-aft 1; without it the mode is found by shape and frequency";
+        optional "mode" Text "" "the mode, for example fore-aft 1; without it the mode is found by shape and frequency";
         required "frequency" Number "Hz" "measured natural frequency";
         required "deviation" Number "Hz" "its standard deviation";
         optional "shape" Any "" "rows of height, fore-aft and side-side displacement, used to identify the mode";

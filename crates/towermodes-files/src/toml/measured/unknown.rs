@@ -1,4 +1,4 @@
-//! `[calibrate.unknowns]`: the numbers that are to be found, and what is known of them.
+//! `[calibrate.unknowns]`: the input values to be fitted, with their priors and bounds.
 
 use std::ops::Range;
 
@@ -15,8 +15,8 @@ use crate::study::Placed;
 const HINT: &str =
     "write {}, or { prior = [mean, standard deviation], bounds = [lowest, highest] }";
 
-/// All entries in the order of the lines; there may be none, because the command line may name
-/// them.
+/// All entries in the order of the lines; the table may be missing, because the command line may
+/// name the unknowns.
 pub(super) fn unknowns(root: &Table<'_>, reading: &mut Reading) -> Option<Vec<NamedUnknown>> {
     let Some(value) = root.get("calibrate") else {
         return Some(Vec::new());

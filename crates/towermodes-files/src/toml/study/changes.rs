@@ -1,4 +1,4 @@
-//! The names of a study, found in the tower that it varies.
+//! The names in a sweep study, found in the tower that it varies.
 
 use std::ops::Range;
 
@@ -10,11 +10,12 @@ use crate::sampling::{Distribution, Sampling, SamplingError};
 use crate::study::{SweepRows, SweepStudy};
 
 impl SweepStudy {
-    /// The changes that `[sweep.vary]` names, found in the base; none if a table has the names.
+    /// The changes that `[sweep.vary]` names, found in the base; none if a table contains the
+    /// names.
     ///
     /// # Errors
-    /// [`ReadError::Mistakes`] at each name that is no number of the base, and at a name whose
-    /// number another one sets too.
+    /// [`ReadError::Mistakes`] at each name that is not an input value of the base, and at a name
+    /// whose input value another one changes too.
     pub fn changes(&self, base: &TowerDescription) -> Result<Vec<Change>, ReadError> {
         let SweepRows::Sampled {
             sampling, spans, ..
@@ -42,8 +43,8 @@ impl SweepStudy {
         })
     }
 
-    /// A mistake that only drawing finds, at its place in the study: correlations that contradict
-    /// each other, limits that exclude all values.
+    /// A mistake that is found only when values are drawn, at its place in the study: correlations
+    /// that contradict each other, limits that exclude all values.
     pub fn undrawn(&self, error: SamplingError) -> ReadError {
         let span = match &self.rows {
             SweepRows::Sampled {
@@ -65,7 +66,7 @@ impl SweepStudy {
     }
 }
 
-/// The place in the list of the first distribution with these limits.
+/// The index of the first distribution with these limits.
 fn truncated(sampling: &Sampling, limits: [f64; 2]) -> Option<usize> {
     let mut vary = sampling.vary.iter();
     vary.position(|varied| match varied.distribution {

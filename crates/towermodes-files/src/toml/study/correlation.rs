@@ -1,4 +1,4 @@
-//! `[[sweep.correlation]]`: which of the varied numbers depend on each other.
+//! `[[sweep.correlation]]`: the correlated pairs of varied inputs.
 
 use std::ops::Range;
 
@@ -18,7 +18,7 @@ const BETWEEN: &str = "between = [\"rna.mass\", \"rna.center[2]\"]";
 pub(super) struct Placed {
     pub(super) correlation: Correlation,
     pub(super) span: Range<usize>,
-    /// Whether its coefficient is that of the values, as that of normal numbers is.
+    /// Whether its coefficient is that of the values, as for normal inputs, instead of the scores.
     is_of_values: bool,
 }
 
@@ -61,7 +61,8 @@ fn correlation(row: &Value<'_>, reading: &mut Reading) -> Option<Placed> {
     })
 }
 
-/// The first correlation of values that only normal numbers can have, and of which one is not.
+/// The mistake of the first correlation of values, which requires two normal inputs, with an input
+/// that is not normal.
 pub(super) fn of_values(placed: &[Placed], vary: &[Varied]) -> Result<(), SamplingError> {
     let is_normal = |name: &str| {
         let varied = vary.iter().find(|varied| varied.name.trim() == name.trim());
@@ -107,7 +108,7 @@ fn pair(value: &Value<'_>, reading: &mut Reading) -> Option<[String; 2]> {
     })
 }
 
-/// The mistake of a correlation at its place; an unknown name with the nearest one that varies.
+/// The mistake of a correlation at its place; for an unknown name with the nearest varied one.
 pub(super) fn refused_pair(
     error: SamplingError,
     sampling: &Sampling,

@@ -13,19 +13,19 @@ use super::schema::VARY;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::sampling::{Distribution, SamplingError, SamplingKind, Varied};
 
-/// The keys of [`VARY`] that name a distribution; of the others `truncated` belongs to normal and
-/// lognormal values, `levels` to grids.
+/// The keys of [`VARY`] that name a distribution; of the other keys, `truncated` belongs to normal
+/// and lognormal values, `levels` to grids.
 const DISTRIBUTIONS: [&str; 4] = ["uniform", "normal", "lognormal", "values"];
 
 const HINT: &str = "write one of { uniform = [lowest, highest] }, { normal = [mean, deviation] }, { lognormal = [mean, deviation] }, { values = [...] }";
 
-/// What to write in place of a distribution that there was.
+/// The suggestion for a distribution that an earlier version had.
 fn gone(key: &str) -> Option<String> {
     let hint = "write { normal = [mean, deviation], truncated = [lowest, highest] }, or the rows as a table (table = \"values.csv\")";
     (key == "triangular").then(|| hint.to_owned())
 }
 
-/// What varies, by its name, and its values.
+/// A varied input by its name, and its values.
 pub(super) fn varied(
     name: &str,
     span: &Range<usize>,
@@ -60,8 +60,8 @@ pub(super) fn varied(
     })
 }
 
-/// The mistake of a name with dots that is not in quotation marks, and therefore became a table in
-/// a table: `rna.mass = { ... }`.
+/// The mistake of a name with dots without quotation marks, which TOML reads as a table in a table:
+/// `rna.mass = { ... }`.
 pub(in crate::toml) fn unquoted(
     name: &str,
     span: &Range<usize>,
@@ -90,7 +90,7 @@ pub(in crate::toml) fn unquoted(
     })
 }
 
-/// The one distribution of an entry.
+/// The single distribution of an entry.
 fn one_distribution(table: &Table<'_>, what: &str, reading: &mut Reading) -> Option<&'static str> {
     let mut given = DISTRIBUTIONS
         .into_iter()

@@ -1,4 +1,4 @@
-//! Reads the study of a sweep: the table `[sweep]` of a TOML file.
+//! Reads a sweep study: the table `[sweep]` of a TOML file.
 
 mod changes;
 mod correlation;
@@ -27,10 +27,10 @@ pub use schema::sweep_study_schema;
 /// The minimum content of a study.
 const LEAST: &str = "a sweep study needs [sweep] with base = \"tower.toml\", and table = \"values.csv\" or sampling with [sweep.vary]";
 
-/// Reads the study of a sweep from a TOML file. The base and the table are not opened.
+/// Reads a sweep study in TOML. The base and the table are not opened.
 ///
 /// # Errors
-/// [`ReadError::Mistakes`] with all that were found.
+/// [`ReadError::Mistakes`] with all mistakes that were found.
 ///
 /// # Example
 /// ```
@@ -56,7 +56,7 @@ pub fn read_sweep_study(source: &Source) -> Result<SweepStudy, ReadError> {
     read_study(source, (LEAST, &STUDY), other_file, read)
 }
 
-/// The file describes a tower.
+/// The mistake that the file describes a tower.
 fn other_file(entries: &DeTable<'_>) -> Option<Diagnostic> {
     if entries.contains_key("sweep") || !entries.contains_key("tower") {
         return None;

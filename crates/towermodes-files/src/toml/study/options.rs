@@ -1,4 +1,4 @@
-//! `[sweep.reading]`: how the base is read where its format leaves a choice.
+//! `[sweep.reading]`: options for reading the base, if its format leaves a choice.
 
 use super::super::text::reading::Reading;
 use super::super::text::table::{Table, suggestion};
@@ -14,10 +14,10 @@ const PARTS: [(&str, TowerPart); 3] = [
     ("monopile", TowerPart::Monopile),
 ];
 
-/// The ways in which a rotor is held, by name.
+/// The states of a rotor, by name.
 const ROTORS: [(&str, RotorLock); 2] = [("locked", RotorLock::Locked), ("free", RotorLock::Free)];
 
-/// Where members of a floating platform end, by name.
+/// The ends of members of a floating platform, by name.
 const MEMBER_ENDS: [(&str, MemberEnds); 3] = [
     ("balance", MemberEnds::Balance),
     ("cut", MemberEnds::Cut),
@@ -112,7 +112,7 @@ fn subset(value: &Value<'_>, reading: &mut Reading) -> Option<(usize, usize)> {
         _ => {
             let kind = DiagnosticKind::wrong_count("subset", numbers.len(), 2);
             let mistake = Diagnostic::new(value.span(), kind);
-            reading.refuse(mistake.with_hint("set and subset, as [1, 2]"))
+            reading.refuse(mistake.with_hint("set and subset, for example [1, 2]"))
         }
     }
 }

@@ -1,4 +1,4 @@
-//! `[sweep.results]`: what is computed and written for each row.
+//! `[sweep.results]`: the results that are computed and written for each row.
 
 use towermodes::{MAX_SEGMENTS, Method, ModeName};
 
@@ -62,7 +62,7 @@ fn modes(value: &Value<'_>, reading: &mut Reading) -> Option<SweepModes> {
     whole(value, "modes", 1, reading).map(|count| SweepModes::Lowest(count as usize))
 }
 
-/// The index of the first name that is in the list before.
+/// The index of the first name that occurs earlier in the list.
 fn repeated(names: &[ModeName]) -> Option<usize> {
     (1..names.len()).find(|&index| names[..index].contains(&names[index]))
 }

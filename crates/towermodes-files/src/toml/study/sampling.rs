@@ -13,13 +13,12 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::sampling::{Sampling, SamplingError, SamplingKind, Varied};
 use crate::study::SweepRows;
 
-/// The rows of a sweep that has no table.
+/// The rows of a sweep without a table.
 pub(super) fn sampled(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepRows> {
     let hint = "sampling = \"grid\", \"latin-hypercube\", \"random\" or \"sobol\", or table = \"values.csv\"";
     let sampling = sweep.require("sampling", hint, reading);
     let kind = sampling.and_then(|value| kind(value, reading));
-    let hint =
-        "add [sweep.vary] with the varied inputs, as \"rna.mass\" = { uniform = [3.3e5, 3.7e5] }";
+    let hint = "add [sweep.vary] with the varied inputs, for example \"rna.mass\" = { uniform = [3.3e5, 3.7e5] }";
     let vary_value = sweep.require("vary", hint, reading);
     let vary = vary_value.and_then(|value| vary(value, kind, reading));
     let (sampling, kind) = (sampling?, kind?);
@@ -60,7 +59,7 @@ pub(super) fn sampled(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepR
     })
 }
 
-/// The place of a mistake of the whole sampling.
+/// The place of a mistake in the whole sampling.
 fn place_of(
     error: &SamplingError,
     sampling: &Sampling,

@@ -1,9 +1,9 @@
-//! The schema of the study of a sweep: all tables and keys with their types, units and meanings.
+//! The schema of the sweep study: all tables and keys with their types, units and meanings.
 
 use super::super::schema::{KeySchema, TableSchema, tables};
 
 tables! {
-    /// All tables of the study of a sweep.
+    /// All tables of the sweep study.
     ///
     /// # Example
     /// ```

@@ -32,7 +32,7 @@ fn matrix_if_any(table: &Table<'_>, key: &str, reading: &mut Reading) -> Option<
     }
 }
 
-/// The joints that are clamped, then those with a support of their own.
+/// The clamped joints, then those with their own support.
 pub(super) fn supports(
     table: &Table<'_>,
     joints: &Names,
@@ -142,7 +142,7 @@ pub(super) fn masses(
     })
 }
 
-/// A matrix on a joint.
+/// The index of a joint and the matrix on it.
 type OnJoint = (usize, SpatialMatrix);
 
 /// The added masses on joints.

@@ -13,7 +13,7 @@ use crate::resolver::FileResolver;
 use crate::source::{FileError, Source};
 use crate::subdyn::{SubdynInput, read_subdyn};
 
-/// The keys beside `file`.
+/// The keys that may be given together with `file`.
 const BESIDE: [&str; 6] = [
     "file",
     "reference",

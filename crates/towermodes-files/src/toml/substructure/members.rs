@@ -78,7 +78,7 @@ impl Kind {
     }
 }
 
-/// All members, each with the number of its material.
+/// All members, each with the index of its material.
 pub(super) fn members(
     table: &Table<'_>,
     joints: &Names,
@@ -202,7 +202,7 @@ fn material(
     }
 }
 
-/// Takes the place of a material until it is found.
+/// A placeholder for a material until it is found.
 fn no_material() -> Material {
     Material::from_shear_modulus(0.0, 1.0, 1.0)
 }

@@ -1,4 +1,4 @@
-//! `[substructure]`: joints and members under the tower, or a file of SubDyn that has them.
+//! `[substructure]`: joints and members under the tower, or a SubDyn file that contains them.
 
 mod bodies;
 mod coats;
@@ -181,7 +181,7 @@ fn triple(value: &Value<'_>, what: &str, reading: &mut Reading) -> Option<[f64; 
     numbers(value, what, 3, reading)?.try_into().ok()
 }
 
-/// A list of so many numbers.
+/// A list of this many numbers.
 fn numbers(value: &Value<'_>, what: &str, count: usize, reading: &mut Reading) -> Option<Vec<f64>> {
     let values = list(value, what, reading)?;
     if values.len() != count {
@@ -195,7 +195,7 @@ fn numbers(value: &Value<'_>, what: &str, count: usize, reading: &mut Reading) -
     read.into_iter().collect()
 }
 
-/// One number, or two: at the first and at the second joint.
+/// One number, or two: for the first and the second joint.
 fn ends(value: &Value<'_>, what: &str, reading: &mut Reading) -> Option<[f64; 2]> {
     match value.get_ref().as_array() {
         Some(_) => numbers(value, what, 2, reading)?.try_into().ok(),

@@ -27,7 +27,7 @@ pub(crate) fn center(
     Some([x?, y?, z?])
 }
 
-/// The table of an inertia; entries that are left out and not required are zero.
+/// The table of an inertia; entries that are omitted and not required are zero.
 pub(crate) fn inertia(
     value: &Value<'_>,
     required: &[&str],
@@ -49,7 +49,7 @@ pub(crate) fn inertia(
     Some([xx?, yy?, zz?, xy?, xz?, yz?].into())
 }
 
-/// The inertia of a table that may have one.
+/// The inertia in a table that may contain one.
 pub(crate) fn inertia_if_any(
     table: &Table<'_>,
     place: Place,

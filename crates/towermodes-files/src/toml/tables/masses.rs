@@ -18,8 +18,8 @@ pub(crate) fn rna(value: &Value<'_>, reading: &mut Reading) -> Option<Rna> {
     read(Rna::blank(), &table, at, reading)
 }
 
-/// Whether the file gives an inertia of zero to the rotor-nacelle assembly; one that is left out
-/// may have been forgotten.
+/// Whether the file gives zero inertia for the rotor-nacelle assembly explicitly; an omitted
+/// inertia may have been forgotten.
 pub(crate) fn is_point_mass(root: &Table<'_>, rna: Option<&Rna>) -> bool {
     let table = root.get("rna").and_then(|rna| rna.get_ref().as_table());
     let has_inertia = table.is_some_and(|table| table.contains_key("inertia"));

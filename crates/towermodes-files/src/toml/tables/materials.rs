@@ -15,20 +15,20 @@ pub(crate) const NUMBERED: &str = "material_";
 /// E/(2(1+ν)) and G may differ by this much, relatively: both are often rounded to three digits.
 const MODULI_TOLERANCE: f64 = 5e-3;
 
-/// The materials of a file, and the names by which stations call them.
+/// The materials of a file, and the names that stations use for them.
 #[derive(Default)]
 pub(crate) struct Materials {
     pub(crate) list: Vec<Material>,
     pub(crate) names: Vec<String>,
-    /// Which of them a name is.
+    /// The index of the material for each name.
     pub(super) by_name: HashMap<String, usize>,
-    /// Whether the first one is `[material]`, which stations without a name have.
+    /// Whether the first one is `[material]`, which stations without a material name use.
     pub(super) has_default: bool,
 }
 
 impl Materials {
     /// The index of the material with a name, or of the default material for a row without a name;
-    /// or what is wrong, and what would be right. `row` is the name of the row in messages.
+    /// or the mistake and a suggestion. `row` is the name of the row in messages.
     pub(crate) fn find(
         &self,
         name: Option<&str>,
@@ -72,7 +72,7 @@ impl Materials {
         true
     }
 
-    /// Their names; empty if all names are generated.
+    /// The names of the materials; empty if all names are generated.
     pub(crate) fn own_names(&self) -> Vec<String> {
         let is_number = |name: &String| {
             let number = name.strip_prefix(NUMBERED);
@@ -181,7 +181,7 @@ fn shear_modulus(
     }
 }
 
-/// Whether a shear modulus and the one from Poisson's ratio agree; reports if not.
+/// Whether the shear modulus agrees with the one from Poisson's ratio; reports a mistake if not.
 fn check_moduli(given: f64, derived: f64, ratio: &Value<'_>, reading: &mut Reading) -> bool {
     let agree = (given - derived).abs() <= MODULI_TOLERANCE * given.abs();
     if !agree {

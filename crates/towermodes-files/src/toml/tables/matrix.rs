@@ -1,4 +1,4 @@
-//! Matrices for the motion (x, y, z, rotation about x, y, z) of a point.
+//! Matrices for motions (x, y, z, rotation about x, y, z) of a point.
 
 use towermodes::space::SpatialMatrix;
 
@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 const HINT: &str =
     "a matrix is six rows of six numbers, in the order x, y, z, rotation about x, y, z";
 
-/// Six rows of six entries; `entry` reads one that has a name in messages.
+/// Six rows of six entries; `entry` reads one entry, whose name in messages is given.
 pub(crate) fn matrix(
     value: &Value<'_>,
     what: &str,

@@ -1,4 +1,4 @@
-//! `missing_parts`: what the source of the tower has and the file lacks.
+//! `missing_parts`: parts that the source of the tower has and the file lacks.
 
 use towermodes::MissingPart;
 
@@ -8,7 +8,8 @@ use super::super::text::table::Table;
 use super::super::text::values::{Value, every_row, list};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// The parts; none without the key. Each is named once, and none that the file has.
+/// The parts; empty without the key. Each may be named once, and only if the file does not contain
+/// it.
 pub(crate) fn missing_parts(root: &Table<'_>, reading: &mut Reading) -> Option<Vec<MissingPart>> {
     let Some(value) = root.get("missing_parts") else {
         return Some(Vec::new());
@@ -30,7 +31,7 @@ pub(crate) fn missing_parts(root: &Table<'_>, reading: &mut Reading) -> Option<V
     Some(parts)
 }
 
-/// The mistake of a part that is missing beside that of the turbine.
+/// The mistake of a part that is listed as missing although the file has a turbine.
 fn has_part<T>(name: &Value<'_>, part: MissingPart, reading: &mut Reading) -> Option<T> {
     let part = part.name();
     let message = format!("`{part}` is listed as missing, but [turbine] describes it");

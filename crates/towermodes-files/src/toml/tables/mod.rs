@@ -1,4 +1,4 @@
-//! The tables of the tower file that have readers of their own.
+//! The tables of the tower file that have their own readers.
 
 pub(super) mod added_mass;
 pub(super) mod body;

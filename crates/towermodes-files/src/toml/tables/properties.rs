@@ -11,7 +11,7 @@ use super::super::text::values::{
 };
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// The columns that may be infinite, for a tower that does not twist or does not stretch.
+/// The columns that may be infinite, for a tower that is rigid in torsion or axially.
 const MAY_BE_INFINITE: [&str; 2] = ["gj_n_m2", "ea_n"];
 
 /// The columns that a table must have, with hints.
@@ -43,7 +43,7 @@ pub(crate) fn properties(value: &Value<'_>, reading: &mut Reading) -> Option<Vec
     Columns { table, heights_m }.rows(reading)
 }
 
-/// The table with its heights; every column has as many values.
+/// The table with its heights; all columns have the same number of values.
 struct Columns<'a> {
     table: Table<'a>,
     heights_m: Vec<f64>,
@@ -101,7 +101,7 @@ impl Columns<'_> {
         Some(rows.collect())
     }
 
-    /// An optional quantity of both planes; a fore-aft column alone is for both planes.
+    /// An optional quantity of both planes; a single fore-aft column applies to both planes.
     fn pair(
         &self,
         [fore_aft, side_side]: [&'static str; 2],
@@ -128,14 +128,14 @@ impl Columns<'_> {
     }
 }
 
-/// The rotary inertia of both planes that a flat section of one material has: in the ratio of EI,
-/// and their sum the polar inertia.
+/// The rotary inertia of both planes, as for a section of one material: in the ratio of EI, with
+/// the polar inertia as their sum.
 pub(crate) fn shared_out(polar_kg_m: f64, bending_n_m2: Planes<f64>) -> Planes<f64> {
     let sum = bending_n_m2.fore_aft + bending_n_m2.side_side;
     bending_n_m2.map(|ei| polar_kg_m * (ei / sum))
 }
 
-/// A list of numbers of the length of the others; `place` is the name of its values in the tower's
+/// A list of as many numbers as the others; `place` is the name of its values in the tower's
 /// checks.
 fn column(
     value: &Value<'_>,

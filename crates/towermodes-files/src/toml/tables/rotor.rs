@@ -22,7 +22,7 @@ pub(crate) fn rotor(root: &Table<'_>, reading: &mut Reading) -> Option<Option<Ro
     reading.remember(at(TABLE), value.span());
     let table = Table::of(value, "[rotor]", &schema::ROTOR, reading)?;
     let blades = table
-        .require("blades", "number of blades, as 3", reading)
+        .require("blades", "number of blades, for example 3", reading)
         .and_then(|value| {
             reading.remember(at("blades"), value.span());
             blades(value, 1, reading)
@@ -39,8 +39,8 @@ pub(crate) fn rotor(root: &Table<'_>, reading: &mut Reading) -> Option<Option<Ro
     }))
 }
 
-/// A whole number of blades; the checks of the tower limit it, and those of the turbine, whose
-/// rotor has `least` blades or more.
+/// An integer number of blades; its limits are checked by the tower, and by the turbine, whose
+/// rotor has at least `least` blades.
 pub(crate) fn blades(value: &Value<'_>, least: usize, reading: &mut Reading) -> Option<usize> {
     let count = number(value, "blades", reading)?;
     if count.fract() == 0.0 && (0.0..=1e9).contains(&count) {
@@ -51,7 +51,7 @@ pub(crate) fn blades(value: &Value<'_>, least: usize, reading: &mut Reading) -> 
     reading.refuse(Diagnostic::new(value.span(), kind))
 }
 
-/// One number, or a list of the lowest and the highest.
+/// One number, or a list of the lowest and the highest speed.
 fn speeds_rpm(value: &Value<'_>, reading: &mut Reading) -> Option<[f64; 2]> {
     if value.get_ref().as_array().is_none() {
         if value.get_ref().is_table() {

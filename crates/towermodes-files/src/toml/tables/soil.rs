@@ -50,12 +50,12 @@ fn layer(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<(Vec<
     Some((rows?, name?))
 }
 
-/// The springs against rotation come as a pair.
+/// Whether a row has a valid number of values; the springs against rotation are given as a pair.
 fn is_row(length: usize) -> bool {
     matches!(length, 3..=5 | 7)
 }
 
-/// How many values a row should have, if a number of values is wrong: as many as the first row.
+/// The expected number of values of a row, if its number is wrong: that of the first row.
 fn expected(count: usize, length: Option<usize>) -> Option<String> {
     match length {
         _ if !is_row(count) => Some("3 to 5 or 7".to_owned()),
@@ -64,7 +64,7 @@ fn expected(count: usize, length: Option<usize>) -> Option<String> {
     }
 }
 
-/// A row of its values; missing values are zero.
+/// A row from its values; missing values are zero.
 fn soil_row(
     values: &DeArray<'_>,
     at: impl Fn(&'static str) -> Place,

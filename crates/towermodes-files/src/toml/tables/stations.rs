@@ -127,7 +127,7 @@ fn no_station_file(value: &Value<'_>, reason: &impl Display) -> Diagnostic {
     Diagnostic::new(value.span(), kind)
 }
 
-/// Remembers the places of stations in their own file.
+/// Stores the places of stations in their own file.
 fn remember(stations: &[Placed], reading: &mut Reading) {
     for (index, placed) in stations.iter().enumerate() {
         for (key, span) in ["height", "diameter", "wall"]

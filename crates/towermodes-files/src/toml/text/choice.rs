@@ -7,19 +7,19 @@ use super::table::suggestion;
 use super::values::{Value, text};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// The words on a choice in messages.
+/// The words for a choice in messages.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ChoiceWords {
-    /// The value: "the foundation's type is a number, not a text".
+    /// The words for the value: "the foundation's type is a number, not a text".
     pub(crate) of_value: &'static str,
-    /// What has no such name: "there is no foundation of type `x`".
+    /// The words for an unknown name: "there is no foundation of type `x`".
     pub(crate) unknown: &'static str,
-    /// Before the list of names: "types:".
+    /// The words before the list of names: "types:".
     pub(crate) known: &'static str,
 }
 
 impl ChoiceWords {
-    /// With one word for the value and for what has no such name.
+    /// The words for a choice with the same noun for the value and for an unknown name.
     pub(crate) const fn of(what: &'static str) -> Self {
         Self {
             of_value: what,
@@ -45,7 +45,7 @@ pub(crate) fn chosen<T: Copy>(
     one_of(value, ChoiceWords::of(what), choices, reading)
 }
 
-/// The same with words of its own.
+/// The choice that a value names, with its own words.
 pub(crate) fn one_of<T: Copy>(
     value: &Value<'_>,
     words: ChoiceWords,

@@ -2,9 +2,9 @@
 
 use ::toml::de::{DeArray, DeTable, DeValue};
 
-/// The name of the innermost entry of a TOML text that has a byte, as `tower.stations[1][2]` or
-/// `design.variables["scale(stations[*].wall)"].step`; indices count from 0. None if the text is
-/// not TOML, or no entry is there.
+/// The name of the innermost entry of a TOML text that contains a byte, for example
+/// `tower.stations[1][2]` or `design.variables["scale(stations[*].wall)"].step`; indices count from
+/// 0. None if the text is not TOML, or no entry is there.
 ///
 /// # Example
 /// ```
@@ -51,7 +51,7 @@ fn in_value(value: &DeValue<'_>, byte: usize, name: &mut String) {
     }
 }
 
-/// Adds a key: after a point, or in brackets if it is more than a word.
+/// Adds a key: after a point, or in brackets if it is not a bare key.
 fn push(key: &str, name: &mut String) {
     let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     match (key.chars().all(is_word), name.is_empty()) {

@@ -1,4 +1,4 @@
-//! Tables of several kinds, each with keys of its own: the key `type` names the kind.
+//! Tables of several kinds with different keys: the key `type` names the kind.
 
 use towermodes::Place;
 
@@ -12,7 +12,7 @@ use super::values::Value;
 pub(crate) trait TableKind {
     /// The table in messages: `[foundation]`.
     const TABLE: &str;
-    /// The words on its type.
+    /// The words for its type.
     const WORDS: ChoiceWords;
 
     /// Its name in the file.
@@ -47,7 +47,7 @@ pub(crate) fn kind_of<K: TableKind>(
     one_of(value, K::WORDS, &choices, reading)
 }
 
-/// To which kinds a key belongs, for the hint on it in a table of another kind.
+/// The kinds to which a key belongs, for the hint in a table of another kind.
 pub(crate) fn owners<K: TableKind>(key: &str, kinds: &[K]) -> Option<String> {
     let owners = kinds.iter().filter(|kind| kind.schema().key(key).is_some());
     let owners: Vec<String> = owners.map(|kind| format!("\"{}\"", kind.name())).collect();

@@ -1,4 +1,4 @@
-//! Parts that others call by their names.
+//! Parts that are referred to by their names.
 
 use std::collections::HashMap;
 
@@ -14,12 +14,12 @@ pub(crate) struct Names {
     what: &'static str,
     names: Vec<String>,
     by_name: HashMap<String, usize>,
-    /// Whether the list has mistakes, so that any name may be one of it.
+    /// Whether the list has mistakes, so that any name may belong to it.
     is_unknown: bool,
 }
 
 impl Names {
-    /// Of a list; the first of those with the same name counts.
+    /// The names of a list; of several equal names the first one counts.
     pub(crate) fn of<'n>(what: &'static str, names: impl Iterator<Item = &'n str>) -> Self {
         let names: Vec<String> = names.map(str::to_owned).collect();
         let numbered = names.iter().cloned().enumerate().rev();
@@ -55,7 +55,7 @@ impl Names {
         reading.refuse(Diagnostic::new(span, repeated).with_hint(hint))
     }
 
-    /// Of a list whose mistakes were reported: every name may be one of it.
+    /// The names of a list whose mistakes were reported: every name may belong to it.
     pub(crate) fn unknown(what: &'static str) -> Self {
         Self {
             is_unknown: true,

@@ -1,4 +1,4 @@
-//! Numbers and names in tables, remembered where the tower's own checks may ask for them.
+//! Numbers and names in tables, stored if the tower's own checks may refer to them.
 
 use towermodes::Place;
 
@@ -34,7 +34,7 @@ impl Table<'_> {
         number(value, key, reading).map(Some)
     }
 
-    /// A finite number that has a default.
+    /// A finite number with a default.
     pub(crate) fn number_or(
         &self,
         default: f64,

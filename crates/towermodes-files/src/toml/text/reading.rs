@@ -13,23 +13,23 @@ use crate::places::Places;
 use crate::source::{FileError, Source};
 use crate::subdyn::SubdynInput;
 
-/// Mistakes beyond this number are not collected: each may list many names.
+/// Largest number of mistakes that are collected, because each may list many names.
 const MAX_MISTAKES: usize = 100;
 
-/// The place of the file with the stations among a tower's files.
+/// The index of the file with the stations among a tower's files.
 pub(crate) const STATION_FILE: usize = 1;
 
 /// A file with a profile of soil.
 #[derive(Debug)]
 pub(crate) struct ProfileFile {
-    /// As the tower file names it.
+    /// The path in the tower file.
     pub(crate) path: String,
-    /// Its place among a tower's files: after that of the stations, if there is one.
+    /// Its index among a tower's files: after that of the stations, if there is one.
     pub(crate) index: usize,
     pub(crate) source: Result<Source, FileError>,
 }
 
-/// Mistakes, notes and places that were found so far.
+/// Mistakes, notes and places found so far.
 #[derive(Debug, Default)]
 pub(crate) struct Reading {
     pub(crate) mistakes: Vec<Diagnostic>,
@@ -40,9 +40,9 @@ pub(crate) struct Reading {
     pub(crate) blade_file: Option<Result<Source, FileError>>,
     /// The profiles of soil that layers of the ground name.
     pub(crate) profiles: Vec<ProfileFile>,
-    /// One of these files that has mistakes, and these.
+    /// One of these files that has mistakes, with these mistakes.
     pub(crate) in_other_file: Option<(Source, Vec<Diagnostic>)>,
-    /// The files beside the tower file that were read, that of the stations first.
+    /// The files named by the tower file that were read, that of the stations first.
     pub(crate) others: Vec<Source>,
     /// The blade file that was read.
     pub(crate) blade_source: Option<Source>,
@@ -55,7 +55,7 @@ pub(crate) struct Reading {
     pub(crate) substructure_notes: Vec<Note>,
     /// The turbine.
     pub(crate) turbine: Option<TurbineDescription>,
-    /// Notes with their bytes in the file.
+    /// Notes with the byte of the file that they are about.
     pub(crate) notes: Vec<(usize, &'static str)>,
 }
 
@@ -66,7 +66,7 @@ impl Reading {
         }
     }
 
-    /// Keeps a mistake, and gives nothing in place of the value.
+    /// Stores a mistake, and returns none in place of the value.
     pub(crate) fn refuse<T>(&mut self, mistake: Diagnostic) -> Option<T> {
         self.mistake(mistake);
         None
@@ -81,7 +81,7 @@ impl Reading {
         self.notes.push((at, message));
     }
 
-    /// Remembers the place of a value for the checks of the whole tower.
+    /// Stores the place of a value for the checks of the whole tower.
     pub(crate) fn remember(&mut self, place: Place, span: Range<usize>) {
         self.places.remember(place, 0, span);
     }

@@ -1,4 +1,4 @@
-//! Numbers of a tower file changed in its text, so that comments and layout stay.
+//! Changes input values in the text of a tower file, so that comments and layout are kept.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -16,52 +16,53 @@ use crate::places::Places;
 use crate::resolver::FileResolver;
 use crate::source::{FileError, Source};
 
-/// A tower file with changed numbers.
+/// A tower file with changed input values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rewritten {
     /// The text of the file.
     pub text: String,
-    /// Why the file is written anew, without the comments of the old one; none if the numbers are
+    /// Why the file is newly written, without the comments of the old one; none if the values are
     /// changed in the old text.
     pub anew: Option<WrittenAnew>,
-    /// What a file that is written anew cannot hold.
+    /// Notes on data that a newly written file cannot store.
     pub notes: Vec<Note>,
 }
 
-/// Why numbers cannot be changed in the text of a file.
+/// Why input values cannot be changed in the text of a file.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum WrittenAnew {
     /// The tower is not from a TOML file.
     #[error("the old file is not TOML")]
     NotToml,
-    /// A number has no place of its own in the file, such as a default.
+    /// An input value is not written in the file, for example a default.
     #[error("the old file does not contain {name}")]
     Absent {
-        /// The name of the number.
+        /// The name of the input value.
         name: String,
     },
-    /// A number is in another file, such as that of the stations.
+    /// An input value is in another file, for example that of the stations.
     #[error("{name} is in another file, {file}")]
     OtherFile {
-        /// The name of the number.
+        /// The name of the input value.
         name: String,
         /// The file.
         file: String,
     },
-    /// More has changed than numbers of the file, or one number of it became two different ones.
+    /// The change is not limited to input values in the file, or one value in the file became two
+    /// different ones.
     #[error(
         "the new tower cannot be described by changing only values in the text of the old file"
     )]
     Other,
 }
 
-/// The file of a tower with the numbers of another description of it: changed in the text of the
-/// old file, so that its comments stay, or written anew where that is not possible.
+/// The file of a tower with the input values of another description of it: changed in the text of
+/// the old file, so that its comments are kept, or newly written if this is not possible.
 ///
 /// A changed text is read again before it is returned: it describes exactly `changed`. A new file
-/// from another format has the turbine of the old file, whose rigid body may differ from the rigid
-/// body of `changed` by rounding.
+/// made from another format contains the turbine of the old file, whose rigid body may differ from
+/// the rigid body of `changed` by rounding.
 ///
 /// # Example
 /// ```
@@ -133,8 +134,8 @@ fn in_text(input: &TowerInput, changed: &TowerDescription) -> Result<String, Wri
     }
 }
 
-/// Whether two descriptions are equal, but for the remark that an RNA was written as a point: one
-/// whose inertia has got a value is none.
+/// Whether two descriptions are equal, except for the mark that an RNA was written as a point mass,
+/// which an RNA with inertia cannot have.
 fn is_same(read: TowerDescription, changed: &TowerDescription) -> bool {
     let read = TowerDescription {
         rna_is_point: changed.rna_is_point,
@@ -143,7 +144,7 @@ fn is_same(read: TowerDescription, changed: &TowerDescription) -> bool {
     read == *changed
 }
 
-/// The numbers that differ.
+/// The input values that differ.
 fn different(old: &TowerDescription, new: &TowerDescription) -> Vec<Parameter> {
     let mut all = Parameter::all(old);
     all.extend(Parameter::all(new));
@@ -174,7 +175,7 @@ fn edited(text: &str, mut edits: Vec<(Range<usize>, String)>) -> String {
     result
 }
 
-/// The number of blanks before a comment that follows at once: comments stay below each other.
+/// The number of blanks before a comment that follows directly, so that comments stay aligned.
 fn blanks_before_comment(text: &str) -> usize {
     let rest = text.trim_start_matches(' ');
     match rest.starts_with('#') {
@@ -183,7 +184,7 @@ fn blanks_before_comment(text: &str) -> usize {
     }
 }
 
-/// The values of a document by their bytes, each with the table that contains it.
+/// The values of a document by their byte range, each with the table that contains it.
 #[derive(Default)]
 struct Values<'a>(HashMap<Range<usize>, (Option<&'a DeTable<'a>>, &'a Value<'a>)>);
 
@@ -203,7 +204,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// The bytes of a number, at least one.
+    /// The byte ranges of an input value, at least one.
     fn literals_of(
         &self,
         parameter: Parameter,
@@ -226,7 +227,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// The bytes of a number by its name, in or beside the value that its place refers to: the
+    /// The byte ranges of an input value by its name, in or next to the value at its place: the
     /// entry of a list or table, both entries of a symmetric matrix, or another key of its table.
     fn literals(&self, span: &Range<usize>, name: &str) -> Vec<Range<usize>> {
         let Some((parent, value)) = self.0.get(span) else {
@@ -268,14 +269,14 @@ fn is_number(value: &Value<'_>) -> bool {
     matches!(value.get_ref(), DeValue::Float(_) | DeValue::Integer(_))
 }
 
-/// The indices in brackets of a key such as `center[2]`.
+/// The indices in brackets at the end of a key such as `center[2]`.
 fn indices_at_end(key: &str) -> Vec<usize> {
     let pieces = key.split('[').skip(1);
     let indices = pieces.map(|piece| piece.trim_end_matches(']').parse());
     indices.collect::<Result<_, _>>().unwrap_or_default()
 }
 
-/// The files beside a tower file as they were read.
+/// The files named by a tower file, as they were read.
 struct Others<'s>(&'s [Source]);
 
 impl FileResolver for Others<'_> {

@@ -1,12 +1,12 @@
-//! Explains texts that the parser of TOML cannot read: numbers with units, decimal commas, numbers
-//! without a digit beside the point, texts without quotation marks.
+//! Explains texts that the TOML parser cannot read: numbers with units, decimal commas, numbers
+//! without a digit before or after the point, texts without quotation marks.
 
 use std::ops::Range;
 
 use super::super::schema::tower_file_schema;
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 
-/// The mistake behind an error of the parser.
+/// The mistake that caused an error of the parser.
 pub(crate) fn syntax_mistake(error: &::toml::de::Error, text: &str) -> Diagnostic {
     let span = error.span().unwrap_or(text.len()..text.len());
     let ends_early = span.start >= text.trim_end().len();
@@ -83,14 +83,16 @@ impl Written<'_> {
             return None;
         } else if number.starts_with('0') && !number.contains('.') && number.len() > 1 {
             // The rest of a number with a decimal comma in a list.
-            format!("write a decimal point, as 0.{number}, or the number without zeros before it")
+            format!(
+                "write a decimal point, for example 0.{number}, or the number without zeros before it"
+            )
         } else {
             format!("write a digit before and after the point: {value:?}")
         };
         Some(self.mistake("a number").with_hint(hint))
     }
 
-    /// The mistake of a number in a list with another number behind it.
+    /// The mistake of a number in a list that is followed by another number without a comma.
     fn without_comma(&self, file: &str) -> Option<Diagnostic> {
         let next = file[self.span.end..].trim_start_matches([' ', '\t']);
         let is_number = next.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
@@ -105,7 +107,7 @@ impl Written<'_> {
         Some(mistake.with_hint("the values of a list are separated by commas: [0.0, 6.0, 0.03]"))
     }
 
-    /// The number that the text begins with, which may be empty, and the rest.
+    /// The number at the beginning of the text, which may be empty, and the rest.
     fn number_and_unit(&self) -> (&str, &str) {
         let is_of_number = |c: char| c.is_ascii_digit() || "+-.,eE_".contains(c);
         let length = self.text.find(|c| !is_of_number(c));
@@ -124,7 +126,7 @@ impl Written<'_> {
         Diagnostic::new(self.span.clone(), kind)
     }
 
-    /// A number with a unit: what to write in the unit of the key.
+    /// The suggestion for a number with a unit: the number in the unit of the key.
     fn without_unit(&self, number: &str, value: f64, unit: &str) -> Option<String> {
         if !unit.starts_with(char::is_alphabetic) {
             return None;
@@ -147,7 +149,7 @@ impl Written<'_> {
         })
     }
 
-    /// A text without quotation marks.
+    /// The mistake of a text without quotation marks.
     fn without_quotes(&self) -> Option<Diagnostic> {
         let is_text = self.text.starts_with(char::is_alphabetic) && self.key.is_some();
         let hint = match self.text {
@@ -161,12 +163,12 @@ impl Written<'_> {
     }
 }
 
-/// Whether a text is a number by the rules of TOML.
+/// Whether a text is a number according to TOML.
 fn is_number_of_toml(text: &str) -> bool {
     ::toml::from_str::<::toml::Table>(&format!("number = {text}")).is_ok()
 }
 
-/// What to write in place of a number with commas, which may separate thousands.
+/// The suggestion for a number with commas, which may separate thousands.
 fn without_commas(number: &str) -> Option<String> {
     let is_group = |group: &str| group.len() == 3 && group.bytes().all(|b| b.is_ascii_digit());
     let (whole, rest) = number.split_once('.').unwrap_or((number, ""));
@@ -265,7 +267,7 @@ mod tests {
         }
     }
 
-    /// A number that is right is not blamed for a mistake elsewhere.
+    /// A correct number is not reported because of a mistake elsewhere.
     #[test]
     fn numbers_beside_a_mistake_are_not_blamed() {
         for (text, reason) in [

@@ -20,7 +20,7 @@ pub(crate) struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// The whole file; reports unknown keys.
+    /// The table of the whole file; reports unknown keys.
     pub(crate) fn root(
         entries: &'a DeTable<'a>,
         length: usize,
@@ -37,7 +37,7 @@ impl<'a> Table<'a> {
         table
     }
 
-    /// A value that should be a table with the keys of a schema; reports others.
+    /// A value that should be a table with the keys of a schema; reports other keys.
     pub(crate) fn of(
         value: &'a Value<'a>,
         name: impl Into<String>,
@@ -47,7 +47,8 @@ impl<'a> Table<'a> {
         Self::with_elsewhere(value, name, schema, |_| None, reading)
     }
 
-    /// The same where a key may belong to another table, which `elsewhere` names.
+    /// A value that should be a table with the keys of a schema; an unknown key may belong to
+    /// another table, which `elsewhere` names.
     pub(crate) fn with_elsewhere(
         value: &'a Value<'a>,
         name: impl Into<String>,
@@ -64,7 +65,7 @@ impl<'a> Table<'a> {
         )
     }
 
-    /// The same with a list of known keys.
+    /// A value that should be a table with a list of known keys.
     pub(crate) fn with_known_keys(
         value: &'a Value<'a>,
         name: impl Into<String>,
@@ -129,12 +130,12 @@ impl<'a> Table<'a> {
         self.entries.get(key)
     }
 
-    /// Whether a key is one of those that it may have.
+    /// Whether a key is a known key of the table.
     pub(crate) fn knows(&self, key: &str) -> bool {
         self.known.contains(&key)
     }
 
-    /// Whether it has a key, perhaps misspelled.
+    /// Whether the table has a key, possibly misspelled.
     pub(crate) fn has(&self, key: &str) -> bool {
         self.get(key).is_some() || self.has_misspelled(key)
     }
@@ -154,7 +155,7 @@ impl<'a> Table<'a> {
         value
     }
 
-    /// Reports a key that has no effect, if the table has it; nothing is given in place of it.
+    /// Reports a key that has no effect, if the table has it; its value is not used.
     pub(crate) fn refuse_unused(
         &self,
         key: &str,
@@ -194,7 +195,7 @@ impl<'a> Table<'a> {
     }
 }
 
-/// Every `[[key]]` of a file, as `read` makes it of its index and value; there may be none.
+/// Every `[[key]]` of a file, made by `read` from its index and value; there may be none.
 pub(crate) fn every_table<T>(
     root: &Table<'_>,
     key: &str,
@@ -226,13 +227,14 @@ pub(crate) fn all_but_empty(mut names: Vec<String>) -> Vec<String> {
     names
 }
 
-/// Of more names than these only the first are listed and compared: a file may have any number.
+/// If there are more names than this, only the first are listed and compared, because a file may
+/// have any number.
 const MAX_NAMES: usize = 100;
-/// Longer names are not compared, because that takes as long as the product of both lengths; no key
-/// of the format is half as long.
+/// Longer names are not compared, because the time is proportional to the product of both lengths;
+/// no key of the format is half as long.
 const MAX_COMPARED_BYTES: usize = 80;
 
-/// The nearest of the known names, or all of them after the words `there_are`.
+/// The nearest of the known names, or all of them after the text `there_are`.
 pub(crate) fn suggestion(name: &str, known: &[&str], there_are: &str) -> String {
     let listed = listed(known);
     match nearest(name, &listed) {
@@ -252,8 +254,8 @@ fn is_short(name: &&str) -> bool {
     name.len() <= MAX_COMPARED_BYTES
 }
 
-/// The known key that a name was probably meant to be: another word for it, or the one that is
-/// spelled most like it.
+/// The known key that a name was probably meant to be: a synonym, or the one with the most similar
+/// spelling.
 fn nearest<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     if !is_short(&name) {
         return None;
@@ -269,7 +271,7 @@ fn nearest<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     meant(name, known).or(is_near.then_some(nearest))
 }
 
-/// A number in the place of a table, as it is written.
+/// A number given instead of a table, as written.
 fn as_number<'v>(value: &'v Value<'_>) -> Option<&'v str> {
     match value.get_ref() {
         DeValue::Integer(number) => Some(number.as_str()),
@@ -282,7 +284,7 @@ fn as_number<'v>(value: &'v Value<'_>) -> Option<&'v str> {
     }
 }
 
-/// The table that a number probably stands for: "[gravity] with acceleration = 9.81", "scour = {
+/// The table that was probably meant by a number: "[gravity] with acceleration = 9.81", "scour = {
 /// general = 8.0 }".
 fn table_with(name: &str, key: &str, number: &str) -> String {
     match name.starts_with('[') {

@@ -33,7 +33,7 @@ pub(crate) fn number(value: &Value<'_>, what: &str, reading: &mut Reading) -> Op
     finite
 }
 
-/// The largest whole number up to which every whole number is exact in double precision.
+/// The largest integer up to which all integers are exact in double precision.
 const MOST: f64 = 9_007_199_254_740_992.0;
 
 /// A whole number.
@@ -52,7 +52,7 @@ pub(crate) fn whole(
     reading.refuse(Diagnostic::new(value.span(), kind))
 }
 
-/// A finite number, or infinity where it is written as such.
+/// A finite number, or infinity if it is written as such.
 pub(crate) fn number_or_infinity(
     value: &Value<'_>,
     what: &str,
@@ -104,7 +104,7 @@ pub(crate) fn list<'a>(
     list.or_else(|| reading.refuse(wrong_kind(value, what, "a list in brackets")))
 }
 
-/// The values of a row; `expected` is how many there should be, if a number of values is wrong.
+/// The values of a row; `expected` gives the expected number of values, if a number is wrong.
 pub(crate) fn row_of<'a>(
     row: &'a Value<'a>,
     what: &str,
@@ -146,8 +146,8 @@ pub(crate) fn check_pieces(
     reading.refuse(mistake.with_hint("keep every second row, or fewer"))
 }
 
-/// Every row of a list, made by `read` of its index and value; goes on after a mistake, so that all
-/// mistakes are reported together.
+/// Every row of a list, made by `read` from its index and value; continues after a mistake, so that
+/// all mistakes are reported together.
 pub(crate) fn every_row<'a, T>(
     rows: &'a DeArray<'a>,
     mut read: impl FnMut(usize, &'a Value<'a>) -> Option<T>,
@@ -160,13 +160,13 @@ pub(crate) fn every_row<'a, T>(
     read.into_iter().collect()
 }
 
-/// The mistake of a value that is of another kind than it should be.
+/// The mistake of a value of another type than expected.
 pub(crate) fn wrong_kind(value: &Value<'_>, what: &str, expected: &str) -> Diagnostic {
     let kind = DiagnosticKind::wrong_type(what, expected, kind(value.get_ref()));
     Diagnostic::new(value.span(), kind)
 }
 
-/// The type of a value in words.
+/// The name of the type of a value.
 fn kind(value: &DeValue<'_>) -> &'static str {
     match value {
         DeValue::String(_) => "a text",

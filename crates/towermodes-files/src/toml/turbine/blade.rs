@@ -12,8 +12,7 @@ use crate::elastodyn::{BladeFile, read_blade_file};
 use crate::toml::schema;
 use crate::turbine::{MOST_SECTIONS, blade_borders};
 
-/// A list of the sections: its name, and its value for a blade without it; none for lists that must
-/// be there.
+/// A list of the sections: its name, and its default for each section; none for required lists.
 type Column = (&'static str, Option<f64>);
 
 const COLUMNS: [Column; 10] = [
@@ -65,7 +64,7 @@ fn sections_of_file(
     reading: &mut Reading,
 ) -> Option<Vec<BladeSection>> {
     for (name, _) in [("blade.span", None)].into_iter().chain(COLUMNS) {
-        let hint = "keep the file or the lists";
+        let hint = "give either the file or the lists, not both";
         table.refuse_unused(key(name), "together with file", hint, reading);
     }
     text(value, "file", reading)?;
@@ -102,7 +101,7 @@ fn sections_of_file(
     }
 }
 
-/// The sections of ElastoDyn's blades, which only bend.
+/// The sections of ElastoDyn's blades, which have only bending flexibility.
 fn sections_of(file: &BladeFile) -> Vec<BladeSection> {
     let section = |row: &crate::elastodyn::BladeRow| BladeSection {
         span: row.length_fraction,
@@ -171,7 +170,7 @@ fn sections(
     Some(places?.iter().enumerate().map(section).collect())
 }
 
-/// Refuses more sections than are solved.
+/// Refuses more sections than the program can solve.
 fn check_count(value: &Value<'_>, found: usize, reading: &mut Reading) -> Option<()> {
     if found <= MOST_SECTIONS {
         return Some(());

@@ -34,7 +34,7 @@ const QUANTITIES: [(&str, &str); 18] = [
     ),
 ];
 
-/// The same of a section of the blade.
+/// The quantities of a blade section and their keys.
 const OF_SECTIONS: [(&str, &str); 8] = [
     ("the mass per length", "blade.mass_kg_per_m"),
     ("the flap stiffness", "blade.ei_flap_n_m2"),
@@ -46,7 +46,7 @@ const OF_SECTIONS: [(&str, &str); 8] = [
     ("the edge inertia", "blade.edge_inertia_kg_m"),
 ];
 
-/// A refusal of the library at the place of the value that it is on.
+/// An error of the library at the place of the value that it is about.
 pub(super) fn mistake(
     error: TurbineError,
     turbine: &TurbineDescription,

@@ -23,11 +23,11 @@ use blade::blade;
 use mistake::mistake;
 use spans::Spans;
 
-/// Whether the generator turns freely.
+/// The states of the generator by name; true if it rotates freely.
 pub(super) const GENERATORS: [(&str, bool); 2] = [("locked", true), ("free", false)];
 
-/// The turbine and what it is for a tower, a rigid body: `Some(None)` if there is none, `None`
-/// after a mistake.
+/// The turbine and the rigid body that represents it on a tower: `Some(None)` if there is none,
+/// `None` after a mistake.
 pub(super) fn turbine(
     root: &Table<'_>,
     rotor: Option<&Rotor>,
@@ -69,10 +69,11 @@ fn check_neighbours(root: &Table<'_>, turbine: &Value<'_>, reading: &mut Reading
     root.refuse_unused("drivetrain", "together with [turbine]", hint, reading);
 }
 
-/// What a user can do who wants the tower below a rotor of two blades.
+/// The suggestion for the tower below a rotor of one or two blades.
 const RIGID_ROTOR: &str = "a rotor of one or two blades can be a rigid body: give [rna] in place of [turbine] for the modes of the tower";
 
-/// Refuses a rotor of fewer than three blades, and one with another number of blades.
+/// Refuses a rotor of fewer than three blades, and a number of blades that differs from that of
+/// `[rotor]`.
 fn check_blades(
     turbine: &TurbineDescription,
     rotor: Option<&Rotor>,

@@ -15,7 +15,7 @@ pub(super) struct Spans {
 }
 
 impl Spans {
-    /// Those of a turbine whose table is here.
+    /// The places of a turbine whose table is here.
     pub(super) fn of(table: Range<usize>) -> Self {
         let all = HashMap::new();
         Self { table, all }
@@ -25,7 +25,7 @@ impl Spans {
         self.all.insert((name, None), span);
     }
 
-    /// Remembers the place of an entry of a list.
+    /// Stores the place of an entry of a list.
     pub(super) fn remember_entry(&mut self, name: &'static str, index: usize, span: Range<usize>) {
         self.all.insert((name, Some(index)), span);
     }
@@ -77,7 +77,7 @@ impl Spans {
         }
     }
 
-    /// A stiffness that may be infinite, and is if the file does not have it.
+    /// A stiffness that may be infinite, and is infinite if the file does not contain it.
     pub(super) fn stiffness_or_rigid(
         &mut self,
         table: &Table<'_>,

@@ -7,7 +7,7 @@ use super::text::number;
 use super::writing::Writing;
 use crate::toml::schema;
 
-/// With the zeros of one that is meant to have no inertia.
+/// Writes the rotor-nacelle assembly; if it is a point mass, with zero inertia.
 pub(super) fn rna(rna: &Rna, is_point: bool, writing: &mut Writing) {
     if rna.is_absent() {
         return;
@@ -42,7 +42,7 @@ pub(super) fn point_masses(masses: &[PointMass], names: &[String], writing: &mut
     }
 }
 
-/// `inertia` with the entries that are not zero and those that must be there.
+/// `inertia` with the entries that are not zero and the required ones.
 pub(super) fn inertia_with(inertia: &Inertia, required: &[&str], writing: &mut Writing) {
     writing.value("inertia", &inertia_of(inertia, required));
 }

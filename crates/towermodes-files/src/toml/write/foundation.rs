@@ -17,7 +17,7 @@ use crate::toml::schema::{self, TableSchema};
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
 
-/// Left out where the base is clamped.
+/// Writes the foundation; nothing if the base is clamped.
 pub(super) fn foundation(description: &TowerDescription, writing: &mut Writing) {
     match description.foundation.support() {
         Support::Clamped => {}

@@ -1,11 +1,11 @@
-//! Tables whose values are described beside their fields: written by these descriptions.
+//! Writes tables from the constants that describe the fields of their structs.
 
 use towermodes::inputs::{Given, Input, Inputs, given_inputs};
 
 use super::text::{number, triple};
 use super::writing::Writing;
 
-/// The values of a table. Quiet ones are left out where they have their default.
+/// Writes the values of a table. Optional values are omitted if they have their default.
 pub(super) fn values(inputs: &dyn Inputs, writing: &mut Writing) {
     let all = given_inputs(inputs);
     let is_written =
@@ -32,7 +32,7 @@ pub(super) fn values(inputs: &dyn Inputs, writing: &mut Writing) {
     }
 }
 
-/// A value as it is written; one number for two that are the same.
+/// The text of a value; one number for two equal ones.
 fn text(given: Given) -> Option<String> {
     match given {
         Given::Number(value) | Given::Optional(Some(value)) => Some(number(value)),

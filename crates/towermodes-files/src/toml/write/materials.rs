@@ -1,4 +1,4 @@
-//! `[material]`, or `[materials.NAME]` where there are several.
+//! `[material]`, or `[materials.NAME]` if there are several.
 
 use towermodes::{Material, TowerDescription};
 
@@ -7,7 +7,7 @@ use super::text::quoted;
 use super::writing::Writing;
 use crate::toml::schema;
 
-/// The names of the materials: their own, where a file can have these, or numbers.
+/// The names of the materials: their own, if a file can contain them, otherwise numbers.
 pub(super) struct MaterialNames {
     count: usize,
     digits: usize,
@@ -31,12 +31,13 @@ impl MaterialNames {
         }
     }
 
-    /// Whether stations name their material.
+    /// Whether stations must name their material.
     pub(super) fn are_needed(&self) -> bool {
         self.count > 1 || self.own.is_some()
     }
 
-    /// As many digits in every number: materials are read in the order of their names.
+    /// The name of a material; numbers have equally many digits, because materials are read in the
+    /// order of their names.
     pub(super) fn name(&self, index: usize) -> String {
         let own = self.own.as_ref().and_then(|own| own.get(index));
         if let Some(own) = own {
@@ -49,7 +50,7 @@ impl MaterialNames {
         )
     }
 
-    /// The material in the row of a station; an invalid index becomes a name that no material has.
+    /// The material in the row of a station; an invalid index gives a name that no material has.
     pub(super) fn in_row(&self, index: usize) -> Option<String> {
         let name = self.name(index);
         (!name.is_empty() && (self.are_needed() || index > 0)).then(|| quoted(&name))
@@ -74,8 +75,7 @@ pub(super) fn materials(materials: &[Material], names: &MaterialNames, writing: 
     }
 }
 
-/// Poisson's ratio, if the material is given by it and has exactly the shear modulus that the
-/// reader will compute from it.
+/// Poisson's ratio, if the reader would compute exactly the shear modulus of the material from it.
 fn poissons_ratio(material: &Material) -> Option<f64> {
     let (density, youngs) = (material.density_kg_per_m3, material.youngs_modulus_pa);
     let again = |ratio| Material::from_poissons_ratio(density, youngs, ratio);
@@ -83,7 +83,7 @@ fn poissons_ratio(material: &Material) -> Option<f64> {
     material.given_poissons_ratio.filter(has_same)
 }
 
-/// A name as a key: bare where TOML allows that.
+/// A name as a key: a bare key if TOML allows this.
 pub(super) fn key(name: &str) -> String {
     let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     match name.chars().all(is_bare) {

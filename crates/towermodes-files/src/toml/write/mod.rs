@@ -25,15 +25,16 @@ pub(super) use text::number;
 use text::quoted;
 use writing::Writing;
 
-/// Writes a description as a TOML file that is read back as the same description, number by number.
+/// Writes a description as a TOML file that is read back as the same description, with equal
+/// numbers.
 ///
-/// The notes list what such a file cannot hold, and what its reader will refuse.
+/// The notes list data that such a file cannot store, and data that its reader will refuse.
 pub fn write_toml(description: &TowerDescription) -> (String, Vec<Note>) {
     write_toml_with(description, None)
 }
 
-/// The same with a turbine on the tower, in place of its rotor-nacelle assembly: if that is the
-/// turbine as a rigid body, but for rounding.
+/// Writes a description with the turbine in place of the rotor-nacelle assembly, if the assembly is
+/// the turbine as a rigid body, except for rounding.
 pub fn write_toml_with(
     description: &TowerDescription,
     turbine: Option<&TurbineDescription>,
@@ -75,7 +76,7 @@ pub(crate) fn can_be_written(turbine: &TurbineDescription, description: &TowerDe
     is_same_rotor && !has_own_drivetrain && is_rigid_body_of(turbine, &description.rna)
 }
 
-/// What the source of the tower has and the file lacks, with a warning.
+/// Writes the parts that the source of the tower has and the file lacks, with a warning.
 fn missing_parts(parts: &[MissingPart], writing: &mut Writing) {
     if parts.is_empty() {
         return;
@@ -113,8 +114,8 @@ fn tower(description: &TowerDescription, writing: &mut Writing) {
     }
 }
 
-/// Materials and the shear model have no effect beside a table of properties, where a file may not
-/// have them.
+/// Notes materials and a shear model, which have no effect with a table of properties and are not
+/// allowed in such a file.
 fn unused_beside_properties(description: &TowerDescription, writing: &mut Writing) {
     let count = description.materials.len();
     // Members are made of them.

@@ -7,7 +7,7 @@ use super::text::{quoted, triple};
 use super::writing::Writing;
 use crate::toml::schema;
 
-/// The name of a part: its own, or its number where two have one name or some have none.
+/// The name of a part: its own, or its number if two have the same name or some have none.
 struct PartNaming<'n> {
     own: Option<&'n [String]>,
 }

@@ -29,7 +29,7 @@ pub(super) fn properties(rows: &[PropertyStation], writing: &mut Writing) {
     shear_stiffness(rows, writing);
 }
 
-/// Both planes' columns, or one that is meant for both.
+/// The columns of both planes, or one that applies to both.
 fn pair([fore_aft, side_side]: [&str; 2], values: &[Planes<f64>], writing: &mut Writing) {
     writing.list(fore_aft, values.iter().map(|v| v.fore_aft));
     if !values.iter().all(Planes::are_equal) {
@@ -37,7 +37,7 @@ fn pair([fore_aft, side_side]: [&str; 2], values: &[Planes<f64>], writing: &mut 
     }
 }
 
-/// Left out where it follows from the polar inertia.
+/// Writes the rotary inertia; nothing if it follows from the polar inertia.
 fn rotary_inertia(rows: &[PropertyStation], writing: &mut Writing) {
     let follows = |row: &PropertyStation| {
         let p = &row.properties;

@@ -14,8 +14,8 @@ use super::text::{number, quoted, triple};
 use super::writing::Writing;
 use crate::toml::schema;
 
-/// The description with the materials of members in its list, so that members can name them; none
-/// if all are there.
+/// The description with the materials of all members in its list, so that members can name them;
+/// none if all are already in the list.
 pub(super) fn with_listed_materials(description: &TowerDescription) -> Option<TowerDescription> {
     let foundation = description.foundation.frame()?;
     let mut listed = description.clone();
@@ -34,7 +34,7 @@ pub(super) fn with_listed_materials(description: &TowerDescription) -> Option<To
     Some(listed)
 }
 
-/// The number of a material in a list, which gets it if it is not there.
+/// The index of a material in a list, to which it is added if it is missing.
 fn place_of(material: &Material, description: &mut TowerDescription) -> usize {
     let materials = &mut description.materials;
     let found = materials.iter().position(|other| other == material);
@@ -112,7 +112,7 @@ pub(super) fn substructure(
     }
 }
 
-/// Supports, masses and inertia.
+/// Writes supports, masses and inertia.
 fn others(frame: &FrameDescription, writing: &mut Writing) {
     let name = |joint: usize| quoted(&frame.joints[joint].name);
     let own = frame.supports.iter().filter(|support| !is_plain(support));
@@ -155,7 +155,7 @@ fn others(frame: &FrameDescription, writing: &mut Writing) {
     rows("rider", riders, writing);
 }
 
-/// Matrices on joints.
+/// Writes matrices on joints.
 fn on_joints(
     key: &str,
     matrices: &[(usize, SpatialMatrix)],
@@ -176,7 +176,7 @@ fn is_plain(support: &towermodes::frame::FrameSupport) -> bool {
     support.is_clamped() && support.stiffness == none && support.inertia == none
 }
 
-/// A list of tables, each in a line.
+/// A list of tables, one per line.
 fn rows(key: &str, rows: impl Iterator<Item = Vec<String>>, writing: &mut Writing) {
     let rows: Vec<Vec<String>> = rows.collect();
     if rows.is_empty() {
@@ -189,7 +189,7 @@ fn rows(key: &str, rows: impl Iterator<Item = Vec<String>>, writing: &mut Writin
     writing.line("]");
 }
 
-/// A 6×6 matrix in a line; its zeros are short. One of zeros is written where it must be there.
+/// A 6×6 matrix in one line, with short zeros. A zero matrix is written only if it is required.
 fn matrix(key: &str, entries: &SpatialMatrix, cells: &mut Vec<String>) {
     if *entries == [[0.0; 6]; 6] && key != "matrix" {
         return;
@@ -241,7 +241,7 @@ fn joint(joint: &FrameJoint) -> Vec<String> {
     cells
 }
 
-/// One number for two that are the same.
+/// One number for two equal ones.
 fn pair([first, last]: [f64; 2]) -> String {
     match first == last {
         true => number(first),

@@ -27,7 +27,8 @@ pub(super) fn surroundings(description: &TowerDescription, writing: &mut Writing
     }
 }
 
-/// With as many columns as are not all zero, and x and y.
+/// Writes a layer with x and y and as many further columns as are needed for values that are not
+/// zero.
 fn soil(layer: &[SoilRow], name: Option<&String>, writing: &mut Writing) {
     let values = |row: &SoilRow| {
         let springs = &row.stiffness;

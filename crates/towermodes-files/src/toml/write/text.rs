@@ -1,6 +1,6 @@
 //! Numbers and texts as TOML.
 
-/// The fewest digits that are read back as the same number.
+/// The shortest decimal form that is read back as the same number.
 pub(in crate::toml) fn number(value: f64) -> String {
     let size = value.abs();
     if value.is_nan() {
@@ -12,7 +12,7 @@ pub(in crate::toml) fn number(value: f64) -> String {
     }
 }
 
-/// A basic string: quotes, backslashes and all that is no visible character escaped.
+/// A basic string: quotes, backslashes and all invisible characters are escaped.
 pub(super) fn quoted(text: &str) -> String {
     let mut quoted = String::from('"');
     for c in text.chars() {

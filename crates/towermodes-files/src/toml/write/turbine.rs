@@ -63,7 +63,7 @@ pub(super) fn turbine(turbine: &TurbineDescription, writing: &mut Writing) {
     blade(&turbine.blade, writing);
 }
 
-/// A number that is not the default.
+/// Writes a number if it is not the default.
 fn unless(default: f64, key: &str, value: f64, writing: &mut Writing) {
     if value != default {
         writing.number(key, value);
@@ -95,7 +95,7 @@ fn blade(blade: &BladeDescription, writing: &mut Writing) {
     columns(&blade.sections, writing);
 }
 
-/// The lists of the sections, each with a comment; those with defaults are left out.
+/// Writes the lists of the sections, each with a comment; lists with default values are omitted.
 fn columns(sections: &[BladeSection], writing: &mut Writing) {
     type Column = (&'static str, Option<f64>, fn(&BladeSection) -> f64);
     let all: [Column; 11] = [

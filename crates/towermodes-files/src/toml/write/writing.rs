@@ -4,7 +4,7 @@ use super::text::{number, quoted};
 use crate::note::Note;
 use crate::toml::schema::{KeySchema, TableSchema};
 
-/// Values in a line of a column of properties.
+/// Number of values per line of a column of properties.
 const VALUES_IN_A_LINE: usize = 5;
 
 /// The text so far and its notes.
@@ -12,23 +12,23 @@ const VALUES_IN_A_LINE: usize = 5;
 pub(super) struct Writing {
     pub(super) text: String,
     pub(super) notes: Vec<Note>,
-    /// The table that is being written, which has the comments of its keys.
+    /// The table that is being written, whose schema contains the comments of its keys.
     table: Option<&'static TableSchema>,
 }
 
 impl Writing {
-    /// A line.
+    /// Writes a line.
     pub(super) fn line(&mut self, line: impl AsRef<str>) {
         self.text.push_str(line.as_ref());
         self.text.push('\n');
     }
 
-    /// A blank line and the head of a table.
+    /// Writes a blank line and the header of a table.
     pub(super) fn section(&mut self, table: &'static TableSchema) {
         self.section_called(table.name, table);
     }
 
-    /// The same under another head.
+    /// Writes a blank line and another header for a table.
     pub(super) fn section_called(&mut self, head: &str, table: &'static TableSchema) {
         self.table = Some(table);
         self.line("");
@@ -42,13 +42,13 @@ impl Writing {
         key.map(KeySchema::comment).unwrap_or_default()
     }
 
-    /// `key = value` with the comment of the schema.
+    /// Writes `key = value` with the comment of the schema.
     pub(super) fn value(&mut self, key: &str, value: &str) {
         let comment = self.comment(key);
         self.commented(key, value, &comment);
     }
 
-    /// `key = value` with a comment, if there is one.
+    /// Writes `key = value` with a comment, if there is one.
     pub(super) fn commented(&mut self, key: &str, value: &str, comment: &str) {
         let line = format!("{key} = {value}");
         if comment.is_empty() {
@@ -58,7 +58,7 @@ impl Writing {
         }
     }
 
-    /// The name of a part that has one.
+    /// Writes the name of a part, if it has one.
     pub(super) fn name(&mut self, name: Option<&String>) {
         if let Some(name) = name.filter(|name| !name.is_empty()) {
             self.commented("name", &quoted(name), "");
@@ -69,7 +69,7 @@ impl Writing {
         self.value(key, &number(value));
     }
 
-    /// The beginning of a list of rows with the comment of the schema.
+    /// Writes the beginning of a list of rows with the comment of the schema.
     pub(super) fn open_rows(&mut self, key: &str) {
         let comment = self.comment(key);
         self.line(format!("{key} = [  # {comment}"));
@@ -79,7 +79,7 @@ impl Writing {
         self.notes.push(Note::left_out(message));
     }
 
-    /// Rows in brackets, one per line, their columns below each other.
+    /// Writes rows in brackets, one per line, with aligned columns.
     pub(super) fn rows(&mut self, cells: &[Vec<String>]) {
         let columns = cells.iter().map(Vec::len).max().unwrap_or(0);
         let width = |column: usize| {
@@ -94,14 +94,14 @@ impl Writing {
         }
     }
 
-    /// Rows of numbers, of which the first columns are written.
+    /// Writes rows of numbers, of which only the first columns are used.
     pub(super) fn number_rows<const N: usize>(&mut self, values: &[[f64; N]], columns: usize) {
         let row = |row: &[f64; N]| row.iter().take(columns).copied().map(number).collect();
         let cells: Vec<Vec<String>> = values.iter().map(row).collect();
         self.rows(&cells);
     }
 
-    /// A list of numbers over as many lines as it needs.
+    /// Writes a list of numbers on as many lines as it needs.
     pub(super) fn list(&mut self, key: &str, values: impl Iterator<Item = f64>) {
         let cells: Vec<String> = values.map(number).collect();
         let width = cells.iter().map(String::len).max().unwrap_or(0);

@@ -1,5 +1,5 @@
-//! The platform as a rigid body in its water: walls, bulkheads, stiffeners, ballast and, where the
-//! file says so, ballast water that balances weight, buoyancy and mooring lines.
+//! The platform as a rigid body in its water: walls, bulkheads, stiffeners, ballast and, if the
+//! file contains variable ballast, ballast water that balances weight, buoyancy and mooring force.
 
 use towermodes::mooring::{Mooring, Pose};
 use towermodes::{Buoyancy, FloatingPlatform, Inertia, MooringLines, ReferredMatrix, RigidBody};
@@ -33,7 +33,7 @@ pub(crate) struct Afloat {
     pub(crate) member_ends: MemberEnds,
 }
 
-/// The platform of a file, at rest in its undisplaced position.
+/// The platform of a file at its undisplaced position.
 pub(crate) fn float(
     outline: &Outline,
     version: Version,
@@ -125,7 +125,7 @@ fn at_water(matrix: towermodes::space::SpatialMatrix) -> ReferredMatrix {
     }
 }
 
-/// Depth and density of the water; without a depth the lowest joint, an anchor, is on the seabed.
+/// Depth and density of the water; without a depth the seabed is at the lowest joint, an anchor.
 fn sea(
     outline: &Outline,
     joints: &Joints,
@@ -162,8 +162,8 @@ fn sea(
     })
 }
 
-/// The vertical force of the lines on the platform, N. The tower's checks find the lines in the
-/// file.
+/// The vertical force of the lines on the platform, N. Errors of the lines are found by the tower's
+/// checks at their place in the file.
 fn pull(input: &MooringInput, reading: &mut Reading<'_>) -> Result<f64, Diagnostic> {
     let first = |error: ReadError| match error {
         ReadError::Mistakes { mut mistakes, .. } if !mistakes.is_empty() => mistakes.swap_remove(0),
@@ -189,7 +189,7 @@ struct Platform<'p> {
     sea: Sea,
 }
 
-/// All members with their ends cut at the surface of others, or whole.
+/// All members, with ends cut at the surface of others, or with whole ends.
 struct Hull {
     water: StripWater,
     steel: RigidBody,
@@ -306,7 +306,7 @@ impl Platform<'_> {
     }
 }
 
-/// Scales bodies so that all together have a mass.
+/// Scales bodies so that their total mass has a given value.
 fn scale_to(given_kg: f64, steel: &mut [RigidBody], ballast: &mut [RigidBody]) {
     let all = || steel.iter().chain(ballast.iter());
     let found_kg: f64 = all().map(|body| body.mass_kg).sum();
@@ -328,8 +328,8 @@ fn scaled(body: &RigidBody, share: f64) -> RigidBody {
     }
 }
 
-/// The selected hull: the one that its ballast can balance, the cut one if this is possible for
-/// both; without ballast water the one that is nearer to balance.
+/// The selected hull: the one that its ballast water can balance, the cut one if this is possible
+/// for both; without ballast water the one that is closer to balance.
 fn choose(hulls: &[Hull; 2], needed_kg: [f64; 2]) -> usize {
     let misses = |hull: usize| {
         let most_kg = hulls[hull].full.mass_kg;
@@ -365,7 +365,7 @@ fn note_ends(
     reading.note_at(node.span.start, Note::assumption(message));
 }
 
-/// Ballast water of one filling ratio everywhere.
+/// Ballast water with the same filling ratio in all compartments.
 fn ballast_water(hull: &Hull, needed_kg: f64, node: &Node, reading: &mut Reading<'_>) -> RigidBody {
     let most_kg = hull.full.mass_kg;
     let used_kg = needed_kg.clamp(0.0, most_kg);

@@ -1,5 +1,5 @@
-//! Ballast of a member: a volume of a material from the lower limit of its range up, or water that
-//! balances the platform.
+//! Ballast of a member: a volume of a material from the lower limit of its range upwards, or water
+//! that balances the platform.
 
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -20,7 +20,8 @@ use crate::number::Rounded;
 pub(super) struct Ballast {
     /// Positions along the whole member.
     pub(super) range: [f64; 2],
-    /// Density (kg/m³) and volume (m³) of fixed ballast; none for water that balances.
+    /// Density (kg/m³) and volume (m³) of fixed ballast; none for ballast water that balances the
+    /// platform.
     fixed: Option<[f64; 2]>,
     span: Range<usize>,
 }
@@ -151,7 +152,7 @@ fn volume(strip: &StripMember, stretch: &Stretch) -> f64 {
     PI / 3.0 * length_m * (a * a + a * b + b * b)
 }
 
-/// The part of a stretch from its first end that holds a volume (m³).
+/// The part of a stretch, beginning at its first end, that contains a volume (m³).
 fn lower_part(strip: &StripMember, stretch: &Stretch, volume_m3: f64) -> Stretch {
     let part = |share: f64| {
         let [from, to] = stretch.range;

@@ -1,11 +1,11 @@
-//! Mass and stiffness of chains and ropes by their diameter, where a file gives no others.
+//! Mass and stiffness of chains and ropes from their diameter, if the file gives no values.
 //!
-//! Source: Orcina (2023), OrcaFlex documentation, properties of chain, rope and wire by their
-//! nominal diameter; WISDEM has the same figures.
+//! Source: Orcina (2023), OrcaFlex documentation, properties of chain, rope and wire from their
+//! nominal diameter; WISDEM uses the same numbers.
 
 use towermodes::mooring::LineType;
 
-/// A kind: its names in files, and the factors of d² for mass (kg/m³) and stiffness (Pa).
+/// A kind: its names in files, and the factors on d² for mass (kg/m³) and stiffness (Pa).
 type Known = (&'static [&'static str], f64, f64);
 
 const KINDS: [Known; 7] = [
@@ -18,12 +18,14 @@ const KINDS: [Known; 7] = [
     (&["wire_wire", "iwrc"], 3.9897e3, 4.04e10),
 ];
 
-/// The diameter that displaces as much water as a chain, by its nominal one.
+/// The diameter of a cylinder that displaces as much water as a chain, as a multiple of the nominal
+/// diameter of the chain.
 const CHAIN_VOLUME: f64 = 1.8;
-/// No chain has links of a larger bar, m.
+/// Largest bar diameter of a chain, m.
 const LARGEST_CHAIN_M: f64 = 0.25;
 
-/// A line type by its kind and diameter (m), and how it was found; none for another kind.
+/// A line type from its kind and diameter (m), and a text on how it was computed; none for an
+/// unknown kind.
 pub(super) fn by_diameter(kind: &str, diameter_m: f64) -> Option<(LineType, String)> {
     let plain = kind.to_ascii_lowercase();
     let (names, mass, stiffness) = KINDS

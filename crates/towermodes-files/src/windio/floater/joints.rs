@@ -1,4 +1,4 @@
-//! The joints of a platform, those along members included, by their names.
+//! The joints of a platform, including those along members, by their names.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -9,7 +9,7 @@ use super::super::text::yaml::{Node, Value};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 
-/// No platform has more joints or members.
+/// Largest number of joints or members of a platform.
 pub(super) const MOST: usize = 2_000;
 
 /// A joint.
@@ -18,7 +18,7 @@ pub(super) struct Joint {
     pub(super) position_m: [f64; 3],
     /// Coefficient of the added mass of ends of members (`axial_coeffs`).
     pub(super) axial: f64,
-    /// The member along which it is, and where.
+    /// The member along which the joint lies, and its position on the member.
     pub(super) along: Option<(usize, f64)>,
 }
 
@@ -86,18 +86,18 @@ impl Joints {
         Ok(index)
     }
 
-    /// The index of a name, if there is such a joint yet.
+    /// The index of the joint with a name, if it exists already.
     pub(super) fn index(&self, name: &Node, reading: &Reading<'_>) -> Option<usize> {
         self.indices.get(name.name(&reading.source.text)).copied()
     }
 
-    /// The index of a name.
+    /// The index of the joint with a name.
     pub(super) fn find(&self, name: &Node, reading: &Reading<'_>) -> Result<usize, Diagnostic> {
         self.index(name, reading)
             .ok_or_else(|| unknown("joint", name, reading))
     }
 
-    /// Moves all joints sideways, so that the tower's axis goes through x = y = 0.
+    /// Moves all joints horizontally so that the tower's axis passes through x = y = 0.
     pub(super) fn shift(&mut self, [x, y]: [f64; 2]) {
         for joint in &mut self.joints {
             joint.position_m[0] -= x;
@@ -106,7 +106,7 @@ impl Joints {
     }
 }
 
-/// A name that nothing has.
+/// The mistake of an unknown name.
 pub(super) fn unknown(what: &'static str, name: &Node, reading: &Reading<'_>) -> Diagnostic {
     let text = name.name(&reading.source.text);
     let name_kind = DiagnosticKind::UnknownName {
@@ -116,7 +116,7 @@ pub(super) fn unknown(what: &'static str, name: &Node, reading: &Reading<'_>) ->
     Diagnostic::new(name.span.clone(), name_kind)
 }
 
-/// A list that is not too long.
+/// A list of limited length.
 pub(super) fn capped<'n>(node: &'n Node, what: &str) -> Result<&'n [Node], Diagnostic> {
     let list = node.list(what)?;
     match list.get(MOST) {
@@ -136,7 +136,7 @@ pub(super) fn is_true(node: &Node, key: &str) -> bool {
     )
 }
 
-/// Three numbers.
+/// Three numbers as a vector.
 pub(super) fn vector(node: &Node, what: &str) -> Result<[f64; 3], Diagnostic> {
     let numbers = node.numbers(what)?;
     <[f64; 3]>::try_from(numbers.as_slice()).map_err(|_| {
@@ -145,7 +145,7 @@ pub(super) fn vector(node: &Node, what: &str) -> Result<[f64; 3], Diagnostic> {
     })
 }
 
-/// Whether angles are in degrees: in version 2, and wherever one is above 2 π.
+/// Whether angles are in degrees: in version 2, and if one is above 2 π.
 fn in_degrees(list: &[Node], version: Version) -> Result<bool, Diagnostic> {
     if version == Version::Two {
         return Ok(true);
@@ -173,7 +173,7 @@ fn position(node: &Node, what: &str, degrees: bool) -> Result<[f64; 3], Diagnost
     Ok([a * cos, a * sin, z])
 }
 
-/// No coordinate of a turbine is larger, m.
+/// Largest coordinate of a turbine, m.
 const FARTHEST_M: f64 = 1e5;
 
 fn check_size(values: &[f64], span: Range<usize>, what: &str) -> Result<(), Diagnostic> {

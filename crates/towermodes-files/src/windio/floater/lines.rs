@@ -84,7 +84,7 @@ pub(super) fn lines(
     Ok(MooringInput::new(description, source, spans))
 }
 
-/// The index of the entry of a list that has a name.
+/// The index of the entry of a list with a name.
 fn index(
     what: &'static str,
     name: &Node,

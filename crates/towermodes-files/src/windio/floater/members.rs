@@ -1,5 +1,5 @@
-//! The members of a platform: where they are, their section, the part that is not inside another
-//! member.
+//! The members of a platform: their position, their section, and the part that is not inside
+//! another member.
 
 use std::ops::Range;
 
@@ -20,7 +20,7 @@ use crate::number::Rounded;
 pub(super) struct Member<'n> {
     pub(super) name: String,
     pub(super) span: Range<usize>,
-    /// Its joints.
+    /// The indices of its joints.
     pub(super) joints: [usize; 2],
     pub(super) diameter: Curve,
     pub(super) layers: Vec<Layer>,
@@ -28,19 +28,19 @@ pub(super) struct Member<'n> {
     pub(super) outfitting: f64,
     /// Coefficient of added mass across the axis.
     pub(super) across: f64,
-    /// The mass that the user gives for its walls, bulkheads, stiffeners and fixed ballast, kg.
+    /// The mass that the file gives for its walls, bulkheads, stiffeners and fixed ballast, kg.
     pub(super) given_kg: Option<f64>,
-    /// Layers, bulkheads, ballast, stiffeners.
+    /// The data of layers, bulkheads, ballast and stiffeners.
     pub(super) structure: &'n Node,
 }
 
-/// A part of a member between two positions where nothing bends or steps.
+/// A part of a member between two positions, within which no quantity has a kink or a step.
 #[derive(Debug, Clone)]
 pub(super) struct Piece {
     /// Positions along the whole member.
     pub(super) from: f64,
     pub(super) to: f64,
-    /// The part of a strip member.
+    /// The corresponding stretch of a strip member.
     pub(super) stretch: Stretch,
 }
 
@@ -68,7 +68,7 @@ pub(super) fn members<'n>(
     Ok(members)
 }
 
-/// Adds the joints along members, whose ends may themselves be joints along others.
+/// Adds the joints along members; the ends of these members may themselves be joints along others.
 fn place_axial_joints(
     list: &[Node],
     joints: &mut Joints,
@@ -203,11 +203,10 @@ fn diameter(node: &Node, what: &str, reading: &Reading<'_>) -> Result<Curve, Dia
     }
 }
 
-/// The coefficient of added mass of a member that has none: that of a circular cylinder in
-/// potential flow.
+/// The default coefficient of added mass: that of a circular cylinder in potential flow.
 const ASSUMED_ACROSS: f64 = 1.0;
 
-/// The coefficient of added mass: a number, or a list of which the first counts for a circle.
+/// The coefficient of added mass: a number, or a list whose first entry applies to a circle.
 fn across(node: &Node, what: &str) -> Result<f64, Diagnostic> {
     let Some(given) = given_across(node) else {
         return Ok(ASSUMED_ACROSS);
@@ -228,7 +227,7 @@ fn given_across(node: &Node) -> Option<&Node> {
     node.get("Ca").or_else(|| node.get("ca"))
 }
 
-/// One note on all members without a coefficient of added mass, at the first of them.
+/// A common note on all members without a coefficient of added mass, at the first of them.
 fn note_assumed(list: &[Node], reading: &mut Reading<'_>) {
     let without: Vec<&Node> = list
         .iter()
@@ -253,11 +252,11 @@ fn note_assumed(list: &[Node], reading: &mut Reading<'_>) {
     reading.note_at(first.span.start, Note::assumption(message));
 }
 
-/// More names do not fit into a sentence.
+/// Largest number of names in a sentence.
 const MOST_NAMES: usize = 4;
 
-/// The mass of a member that the user gives in place of that of its parts, which are scaled to it
-/// as in WISDEM; 0 is none.
+/// The mass of a member that the user gives; the computed masses of its parts are scaled to it as
+/// in WISDEM; 0 means none.
 fn given_kg(node: &Node, what: &str, reading: &mut Reading<'_>) -> Result<Option<f64>, Diagnostic> {
     let Some(given) = node.get(MEMBER_MASS) else {
         return Ok(None);
@@ -274,11 +273,11 @@ fn given_kg(node: &Node, what: &str, reading: &mut Reading<'_>) -> Result<Option
     Ok(Some(mass_kg))
 }
 
-/// The key of this mass, of WISDEM.
+/// The key of this mass, as in WISDEM.
 const MEMBER_MASS: &str = "member_mass_user";
 
 impl Member<'_> {
-    /// The positions between which it is not inside the members along which its joints are.
+    /// The range of positions that is not inside the members on which its joints lie.
     pub(super) fn outside(&self, joints: &Joints, members: &[Member<'_>]) -> [f64; 2] {
         let ends = self.joints.map(|end| &joints.joints[end]);
         let length_m = distance(ends[0].position_m, ends[1].position_m);
@@ -295,7 +294,7 @@ impl Member<'_> {
         0.5 * diameters.fold(0.0_f64, |most, diameter| most.max(*diameter))
     }
 
-    /// The wall at a position, m; just above it, or just below.
+    /// The wall thickness at a position, m; just above it, or just below.
     pub(super) fn wall_m(&self, at: f64, above: bool) -> f64 {
         let layers = self.layers.iter();
         layers.map(|layer| value(&layer.thickness, at, above)).sum()
@@ -306,7 +305,8 @@ impl Member<'_> {
         (0.5 * value(&self.diameter, at, above) - self.wall_m(at, above)).max(0.0)
     }
 
-    /// It in pieces between the positions where it, or a ballast, begins, bends or ends.
+    /// The member divided into pieces, at the positions where it or a ballast begins, ends or has a
+    /// kink.
     pub(super) fn pieces(
         &self,
         joints: &Joints,
@@ -372,7 +372,7 @@ impl Member<'_> {
     }
 }
 
-/// Positions nearer than this are one.
+/// Positions that are closer together than this are merged.
 const SAME_CUT: f64 = 1e-12;
 
 pub(super) fn value(curve: &Curve, at: f64, above: bool) -> f64 {

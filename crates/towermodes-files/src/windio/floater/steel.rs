@@ -44,7 +44,7 @@ pub(super) fn walls(
     Ok(bodies)
 }
 
-/// The bulkheads, discs of the inner radius at the positions of their grid.
+/// The bulkheads: discs of the inner radius at the positions of their grid.
 pub(super) fn bulkheads(
     member: &Member<'_>,
     strip: &StripMember,

@@ -15,7 +15,7 @@ use crate::hydrodyn::{StripMember, ring};
 use crate::note::Note;
 use crate::number::Rounded;
 
-/// No member has more rings.
+/// Largest number of rings of a member.
 const MOST_RINGS: f64 = 10_000.0;
 
 /// A web with a flange, m, its density and its spacing.
@@ -27,7 +27,7 @@ struct Profile {
 }
 
 impl Profile {
-    /// Those of a key; none without spacing.
+    /// The profile under a key; none without spacing.
     fn read(
         structure: &Node,
         key: &str,
@@ -58,7 +58,8 @@ impl Profile {
     }
 
     /// The angle between longitudinal stiffeners inside a radius (m), rad, and whether it is in the
-    /// unit of the other version: in that of its own it is more than a turn, or they overlap.
+    /// unit of the other version: in the unit of its own version it would be more than a full turn,
+    /// or the stiffeners would overlap.
     fn angle_rad(&self, radius_m: f64, version: Version) -> (f64, bool) {
         let own = version.radians(self.spacing);
         let other = version.other().radians(self.spacing);
@@ -73,7 +74,7 @@ impl Profile {
 
 const LONGITUDINAL: &str = "longitudinal_stiffeners";
 
-/// Notes angles between longitudinal stiffeners that are in the unit of the other version.
+/// Notes that angles between longitudinal stiffeners are in the unit of the other version.
 pub(super) fn note_angles(
     members: &[Member<'_>],
     version: Version,
@@ -104,7 +105,7 @@ pub(super) fn note_angles(
     Ok(())
 }
 
-/// The rings, at multiples of their spacing (a fraction of the member) between its ends.
+/// The rings, at multiples of their spacing (a fraction of the member length) between its ends.
 pub(super) fn rings(
     member: &Member<'_>,
     strip: &StripMember,
@@ -147,7 +148,7 @@ pub(super) fn rings(
     Ok(bodies)
 }
 
-/// The longitudinal stiffeners, whose spacing is an angle, spread over the circumference.
+/// The longitudinal stiffeners, whose spacing is an angle, smeared over the circumference.
 pub(super) fn longitudinal(
     member: &Member<'_>,
     strip: &StripMember,

@@ -10,13 +10,13 @@ use crate::note::Note;
 /// A principal moment of inertia may be negative by this fraction of the largest.
 const ROUNDED: f64 = 1e-9;
 
-/// Mass, inertia and place of the centre in version 1.
+/// Keys of mass, inertia and position of the centre in version 1.
 pub(super) const OLD_KEYS: [&str; 3] = ["system_mass", "system_inertia", "system_center_mass"];
 
-/// The same in version 2.
+/// Keys of mass, inertia and position of the centre in version 2.
 pub(super) const NEW_KEYS: [&str; 3] = ["mass", "inertia", "location"];
 
-/// A rigid body: mass, inertia about its centre (xx, yy, zz, xy, xz, yz) and the place of the
+/// A rigid body: mass, inertia about its centre (xx, yy, zz, xy, xz, yz) and position of the
 /// centre.
 pub(crate) fn body(
     node: &Node,
@@ -46,7 +46,7 @@ pub(crate) fn body(
     })
 }
 
-/// Why an inertia is impossible, if it is.
+/// The reason if an inertia is impossible.
 fn impossible(moments: [f64; 6], what: &str) -> Option<String> {
     let [least, _, largest] = Inertia::from(moments).principal_kg_m2();
     (least < -ROUNDED * largest.max(-least)).then(|| {
@@ -56,7 +56,7 @@ fn impossible(moments: [f64; 6], what: &str) -> Option<String> {
     })
 }
 
-/// The numbers of a key, zero without it: one number is along x, three are the diagonal.
+/// The numbers of a key, zero if it is missing: a single number is along x, three are the diagonal.
 fn list<const N: usize>(node: &Node, key: &str, what: String) -> Result<[f64; N], Diagnostic> {
     let mut values = [0.0; N];
     let Some(list) = node.get(key) else {

@@ -1,4 +1,4 @@
-//! The chords of a blade, from which the aerodynamic damping of the rotor follows.
+//! The chords of a blade, which determine the aerodynamic damping of the rotor.
 
 use towermodes::RotorAerodynamics;
 
@@ -7,17 +7,19 @@ use super::super::text::outline::Outline;
 use super::super::text::yaml::Node;
 use crate::diagnostic::Diagnostic;
 
-/// The rotor in the wind, if the file has the chords of its blades, their axis and the hub.
+/// The aerodynamic data of the rotor, if the file has the chords of its blades, their axis and the
+/// hub.
 ///
-/// No frequency depends on it, so a mistake in these data refuses no tower: then there is none.
+/// No frequency depends on these data, so a mistake in them is not an error: then there are no
+/// aerodynamic data.
 pub(crate) fn aerodynamics(outline: &Outline) -> Option<RotorAerodynamics> {
     let moment_m3 = chord_moment_m3(outline).ok().flatten();
     let moment_m3 = moment_m3.filter(|moment| moment.is_finite() && *moment > 0.0);
     moment_m3.map(RotorAerodynamics::of_chords)
 }
 
-/// ∫ c r dr over one blade, m³: chord and axis are linear between grid points, and Simpson's rule
-/// exact. The coning of the blades is neglected.
+/// ∫ c r dr over one blade, m³: chord and axis are linear between grid points, for which Simpson's
+/// rule is exact. The coning of the blades is neglected.
 fn chord_moment_m3(outline: &Outline) -> Result<Option<f64>, Diagnostic> {
     let components = outline.components.as_ref();
     let both = components.and_then(|c| c.blade.as_ref().zip(c.hub.as_ref()));
@@ -43,7 +45,7 @@ fn chord_moment_m3(outline: &Outline) -> Result<Option<f64>, Diagnostic> {
     Ok(Some(moments.sum()))
 }
 
-/// Radius of the blade roots, m from the rotor's axis.
+/// Distance of the blade roots from the rotor axis, m.
 fn hub_radius_m(hub: &Node) -> Result<f64, Diagnostic> {
     let shape = hub.get("outer_shape_bem").unwrap_or(hub);
     let diameter = shape.require("diameter", "hub")?;

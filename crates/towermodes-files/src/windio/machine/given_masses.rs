@@ -1,4 +1,4 @@
-//! Masses that WISDEM takes in place of those that it computes, with keys that end in `mass_user`:
+//! Masses that WISDEM uses instead of those that it computes, with keys that end in `mass_user`:
 //! notes on those that are not read.
 
 use towermodes::MissingPart;
@@ -10,7 +10,7 @@ use crate::input::TowerPart;
 use crate::note::Note;
 use crate::number::Rounded;
 
-/// Notes the masses of tower, monopile and jacket, which follow from their walls.
+/// Notes the masses of tower, monopile and jacket, which are computed from their walls.
 pub(crate) fn note_structures(outline: &Outline, part: TowerPart, reading: &mut Reading<'_>) {
     let Some(components) = &outline.components else {
         return;
@@ -39,7 +39,7 @@ pub(crate) fn note_structures(outline: &Outline, part: TowerPart, reading: &mut 
     }
 }
 
-/// Notes the masses of single components of a nacelle or a hub, whichever has no mass as a whole.
+/// Notes the masses of single components of a nacelle or a hub, if this has no total mass.
 pub(super) fn note_components(
     outline: &Outline,
     lacks: impl Fn(MissingPart) -> bool,
@@ -70,7 +70,7 @@ pub(super) fn note_components(
     reading.note_at(at, Note::left_out(message));
 }
 
-/// The positive masses in a map and the maps in it: name, mass (kg) and place.
+/// The positive masses in a map and in the maps within it: name, mass (kg) and place.
 fn collect(node: &Node, parent: &str, found: &mut Vec<(String, f64, usize)>) {
     let Value::Map(entries) = &node.value else {
         return;

@@ -1,5 +1,5 @@
-//! Angles and lengths of the RNA in the wrong unit: version 1 has radians, version 2 degrees,
-//! both have metres.
+//! Checks for angles and lengths of the RNA in the wrong unit: version 1 has radians, version 2
+//! degrees, both have metres.
 
 use super::super::text::outline::Version;
 use super::super::text::reading::Reading;
@@ -8,18 +8,18 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 use crate::number::Rounded;
 
-/// No rotor is tilted or coned by more, degrees; real ones have up to 10.
+/// Largest tilt or cone angle, degrees; real rotors have up to 10.
 const LARGEST_DEG: f64 = 20.0;
-/// Beyond this, degrees, it is no tilt or cone in any unit.
+/// A larger value, degrees, is not a tilt or cone angle in any unit.
 const IMPOSSIBLE_DEG: f64 = 90.0;
-/// A tilt or cone of version 2 that is smaller than this, degrees, is likely one in radians: 0.1047
-/// is 6 degrees. Real ones are 0 or above.
+/// A tilt or cone angle of version 2 that is smaller than this, degrees, is probably in radians:
+/// 0.1047 is 6 degrees. Real angles are 0 or larger.
 const SMALLEST_DEG: f64 = 0.2;
-/// No hub is further from the tower's top, m; those of rotors of 280 m are 14 m.
+/// Largest distance of a hub from the tower top, m; for rotors of 280 m it is 14 m.
 const FARTHEST_M: f64 = 50.0;
 
-/// An angle of the rotor in radians. One that is likely in the other unit is noted, and one that is
-/// impossible in both units is a mistake.
+/// An angle of the rotor in radians. If it is probably in the other unit, there is a note; if it is
+/// impossible in both units, it is a mistake.
 pub(crate) fn angle(
     node: &Node,
     key: &str,
@@ -34,7 +34,7 @@ pub(crate) fn angle(
         let kind = DiagnosticKind::out_of_range_in(key, written, unit, rule);
         let hint = match version {
             Version::One => "in windIO 1 it is in radians: 6 degrees are 0.10472",
-            Version::Two => "in windIO 2 it is in degrees, as 6.0",
+            Version::Two => "in windIO 2 it is in degrees, for example 6.0",
         };
         return Err(Diagnostic::new(node.span.clone(), kind).with_hint(hint));
     }
@@ -44,7 +44,7 @@ pub(crate) fn angle(
     Ok(version.radians(written))
 }
 
-/// Why an angle is likely in the other unit, if it is.
+/// The reason if an angle is probably in the other unit.
 fn doubt(key: &str, written: f64, degrees: f64, version: Version) -> Option<String> {
     let size = degrees.abs();
     Some(match version {
@@ -64,7 +64,7 @@ fn doubt(key: &str, written: f64, degrees: f64, version: Version) -> Option<Stri
     })
 }
 
-/// A distance from the tower's top to the hub, m; one that is likely in millimetres is noted.
+/// A distance from the tower top to the hub, m; if it is probably in millimetres, there is a note.
 pub(crate) fn length_m(
     node: &Node,
     key: &str,

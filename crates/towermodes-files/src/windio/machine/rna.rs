@@ -18,7 +18,7 @@ use crate::note::Note;
 use crate::number::Rounded;
 use crate::places::TABLE;
 
-/// The comment of written files whose drive train is the whole rotor-nacelle assembly.
+/// The comment in written files whose drivetrain is the whole rotor-nacelle assembly.
 pub(crate) const WHOLE_ASSEMBLY: &str =
     "# towermodes: the whole rotor-nacelle assembly, hub and blades included";
 
@@ -31,12 +31,12 @@ const ABOVE_YAW: &str = "above_yaw_mass";
 /// The bodies found so far.
 struct Assembly {
     bodies: Vec<(String, RigidBody)>,
-    /// Those whose mass the file does not give, with their names in it.
+    /// The bodies whose mass the file does not give, with their names in the file.
     missing: Vec<(MissingPart, &'static str)>,
     span: Range<usize>,
 }
 
-/// The bodies of the assembly combined, and the missing ones; a note lists both.
+/// The bodies of the assembly combined, and the missing bodies; a note lists both.
 pub(crate) fn rna(
     outline: &Outline,
     version: Version,
@@ -81,7 +81,7 @@ pub(crate) fn rna(
     Ok((rna, missing))
 }
 
-/// Whether the file describes a machine on the tower, with or without masses.
+/// Whether the file describes a rotor-nacelle assembly on the tower, with or without masses.
 fn has_machine(outline: &Outline) -> bool {
     let of_components = outline.components.as_ref().is_some_and(|c| {
         let nodes = [&c.rna, &c.hub, &c.nacelle, &c.drivetrain, &c.yaw];
@@ -132,7 +132,7 @@ impl Assembly {
     }
 
     /// The nacelle by the keys of version 1, under `nacelle` or, as WISDEM writes it, under
-    /// `nacelle.drivetrain`; files of version 2 may have them too. False if there is none.
+    /// `nacelle.drivetrain`; files of version 2 may contain them too. False if there is none.
     fn read_older_nacelle(
         &mut self,
         outline: &Outline,
@@ -206,14 +206,14 @@ impl Assembly {
     }
 }
 
-/// The whole assembly, hub and blades included.
+/// The whole assembly, including hub and blades.
 struct Whole {
     body: RigidBody,
     span: Range<usize>,
 }
 
-/// The whole assembly under `RNA`, as the first files of version 1 have it: its inertia is about
-/// the tower top.
+/// The whole assembly under `RNA`, as in the first files of version 1: its inertia is about the
+/// tower top.
 fn whole(outline: &Outline, reading: &mut Reading<'_>) -> Result<Option<Whole>, Diagnostic> {
     let components = outline.components.as_ref();
     let Some(node) = components.and_then(|c| c.rna.as_ref()?.get(OLDER)) else {
@@ -269,7 +269,8 @@ fn nacelle_keys<'k>(node: &Node, reading: &mut Reading<'_>) -> Result<[&'k str; 
     Ok([ABOVE_YAW, inertia, center])
 }
 
-/// A body of the rotor in axes at its apex along the shaft: its name, the body, its place.
+/// A body of the rotor in axes at the apex along the shaft: its name, the body, its place in the
+/// file.
 type RotorBody = (String, RigidBody, Range<usize>);
 
 fn hub(

@@ -26,7 +26,7 @@ struct Span {
     axis: [Option<Curve>; 3],
 }
 
-/// The blades together: mass, centre on the shaft, inertia; x along the shaft downwind, from the
+/// All blades combined: mass, centre on the shaft, inertia; x along the shaft downwind, from the
 /// apex.
 ///
 /// None if the file does not give their mass.
@@ -49,7 +49,7 @@ pub(crate) fn rotor(blade: &Blade, hub: &Hub) -> Result<Option<RigidBody>, Diagn
 }
 
 impl Span {
-    /// Point of the axis, m.
+    /// A point of the blade axis, m.
     fn point(&self, s: f64) -> [f64; 3] {
         [0, 1, 2].map(|i| self.axis[i].as_ref().map_or(0.0, |curve| curve.above(s)))
     }
@@ -72,9 +72,9 @@ impl Span {
         }
     }
 
-    /// Of one blade: its mass, its first and second moment about the plane of the rotor's apex, its
-    /// second moment about the shaft. Between grid points mass per length and axis are linear, and
-    /// Simpson's rule exact.
+    /// The sums of one blade: its mass, its first and second moment about the plane of the rotor
+    /// apex, its second moment about the shaft. Between grid points mass per length and axis are
+    /// linear, for which Simpson's rule is exact.
     fn sums(&self, hub: &Hub) -> [f64; 4] {
         let axes = self.axis.iter().flatten();
         let positions = positions(axes.chain([&self.mass]));

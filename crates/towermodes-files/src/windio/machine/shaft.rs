@@ -1,4 +1,4 @@
-//! The shaft of the rotor: its tilt, and where the rotor's apex is.
+//! The shaft of the rotor: its tilt, and the position of the rotor apex.
 
 use super::super::text::outline::{Outline, Version};
 use super::super::text::reading::Reading;
@@ -13,7 +13,7 @@ pub(crate) struct Shaft {
     pub(super) apex_m: [f64; 3],
 }
 
-/// Whether the rotor is upwind of the tower, as it is unless the file says that it is downwind.
+/// Whether the rotor is upwind of the tower, which is the default.
 pub(super) fn is_upwind(outline: &Outline, reading: &Reading<'_>) -> bool {
     let node = outline.assembly.as_ref();
     let node = node.and_then(|node| node.get("rotor_orientation"));
@@ -21,7 +21,7 @@ pub(super) fn is_upwind(outline: &Outline, reading: &Reading<'_>) -> bool {
     !name.is_some_and(|name| name.trim().eq_ignore_ascii_case("downwind"))
 }
 
-/// Tilt, overhang and height of the apex; missing ones are zero, with a note.
+/// Tilt, overhang and height of the apex; missing values are zero, with a note.
 pub(crate) fn shaft(
     outline: &Outline,
     version: Version,

@@ -12,7 +12,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 use crate::places::TABLE;
 
-/// No blade's tip is faster in operation, m/s; those of large rotors reach 70 to 110.
+/// Largest blade tip speed in operation, m/s; large rotors reach 70 to 110.
 const FASTEST_TIP_M_PER_S: f64 = 150.0;
 
 /// The number of blades of a rotor whose file does not give it.
@@ -22,15 +22,15 @@ pub(super) const USUAL_BLADES: usize = 3;
 struct Limits<'a> {
     lowest: Option<&'a Node>,
     highest: &'a Node,
-    /// The name of the lowest, for notes.
+    /// The name of the lowest speed, for notes.
     key: &'static str,
     /// Whether they are limits of the torque controller, whose unit is not certain.
     of_torque: bool,
 }
 
 impl Limits<'_> {
-    /// The lowest speed; none, with a note, where the file does not give it or gives 0, the default
-    /// of the schema.
+    /// The lowest speed; none, with a note, if the file does not give it or gives 0, the default of
+    /// the schema.
     fn lowest(&self, note: &mut impl FnMut(&Node, Note)) -> Result<Option<f64>, Diagnostic> {
         let key = self.key;
         let Some(node) = self.lowest else {
@@ -62,7 +62,7 @@ impl Limits<'_> {
         let diameter = assembly.and_then(|assembly| assembly.get("rotor_diameter"));
         let Some(diameter) = diameter else {
             let message = format!(
-                "VS_maxspd = {highest} is read in rad/s, as in the schema; many files have rpm, and rotor_diameter, which would show it, is missing"
+                "VS_maxspd = {highest} is read in rad/s, as in the schema; many files have it in rpm, which cannot be checked because rotor_diameter is missing"
             );
             note(self.highest, Note::assumption(message));
             return Ok(30.0 / PI);
@@ -79,7 +79,7 @@ impl Limits<'_> {
         Ok(1.0)
     }
 
-    /// A note on the highest operating speed, where the file has another limit.
+    /// A note on the highest operating speed, if the file has another limit.
     fn note_range(
         &self,
         outline: &Outline,
@@ -107,8 +107,8 @@ impl Limits<'_> {
 /// Version 2 has `control.min_rotor_speed` and `rated_rotor_speed`, rpm; its `max_rotor_speed` is a
 /// limit at which the turbine is shut down, not an operating speed. Version 1, and files of version
 /// 2 with the older `control`, have `control.torque.VS_minspd` and `VS_maxspd`, in rad/s by the
-/// schema, but in rpm in many files: which of both it is the speed of the tips shows. `VS_maxspd`
-/// limits the rated speed, which these files do not contain.
+/// schema, but in rpm in many files; the tip speed shows the unit. `VS_maxspd` limits the rated
+/// speed, which these files do not contain.
 pub(crate) fn rotor(
     outline: &Outline,
     reading: &mut Reading<'_>,

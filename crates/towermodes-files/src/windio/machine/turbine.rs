@@ -1,4 +1,4 @@
-//! Why a turbine in windIO has no turning turbine here.
+//! Why the program cannot solve a windIO turbine with rotating rotor.
 //!
 //! Blades of windIO have curved axes and matrices of six by six entries at each section; those of
 //! the library have straight axes and the stiffnesses of uncoupled motions.
@@ -8,10 +8,11 @@ use super::super::text::outline::{Outline, Version};
 use super::super::text::reading::Reading;
 use crate::note::Note;
 
-/// A blade whose axis is further off a straight line, as a fraction of its length, is curved.
+/// If the axis of a blade is farther off a straight line, as a fraction of its length, the blade is
+/// curved.
 const STRAIGHT: f64 = 1e-6;
 
-/// The reason with the key that shows it.
+/// The reason, with the key that shows it.
 pub(crate) fn missing(outline: &Outline, version: Version, reading: &Reading<'_>) -> Note {
     let blade = outline.components.as_ref().and_then(|c| c.blade.as_ref());
     let Some(blade) = blade else {
@@ -41,8 +42,8 @@ pub(crate) fn missing(outline: &Outline, version: Version, reading: &Reading<'_>
     Note::missing_part(message).at(reading.source, stiffness.span.start)
 }
 
-/// The distance of the blade's axis from the straight line from root to tip in x or y, m; none if
-/// it is straight or cannot be read.
+/// The distance of the blade axis from the straight line from root to tip in x or y, m; none if the
+/// axis is straight or cannot be read.
 fn off_axis_m(outline: &Outline) -> Option<f64> {
     let axis = outline.components.as_ref()?.blade.as_ref()?.axis()?;
     let curve = |key: &str| {

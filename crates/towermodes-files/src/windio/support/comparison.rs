@@ -1,4 +1,4 @@
-//! Whether the table of a part agrees with its walls, where the file has both.
+//! Whether the table of a part agrees with its walls, if the file has both.
 
 use towermodes::Material;
 
@@ -12,7 +12,7 @@ use crate::number::Rounded;
 /// Masses may differ by this fraction.
 const TOLERANCE: f64 = 0.01;
 
-/// Notes where the masses per length or in total disagree; the walls win.
+/// Notes differences of the masses per length or in total; the walls are used.
 pub(crate) fn compare(structure: &Structure, reading: &mut Reading<'_>) {
     let materials = structure.materials();
     for part in &structure.parts {
@@ -60,8 +60,8 @@ fn disagreement(what: &str, height_m: f64, masses: [f64; 2], totals: [f64; 2]) -
 }
 
 impl Part {
-    /// Mass per length of the concentric walls with their outfitting, kg/m, where curves have these
-    /// values.
+    /// Mass per length of the concentric walls with their outfitting, kg/m, for these values of the
+    /// curves.
     fn mass_at(&self, value: impl Fn(&Curve) -> f64, materials: &[Material]) -> f64 {
         let mut outer_m = self.diameter.as_ref().map_or(0.0, &value);
         let mut mass = 0.0;

@@ -6,11 +6,11 @@ use std::ops::Range;
 use super::super::text::yaml::Node;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// Ends of grids and positions of different grids that are nearer than this are the same: they are
-/// rounded.
+/// Ends of grids and positions of different grids whose distance is smaller than this are equal,
+/// because they are rounded.
 const ROUNDED: f64 = 1e-12;
 
-/// A grid must begin at 0 and end at 1 within this.
+/// Tolerance of the ends 0 and 1 of a grid.
 const END: f64 = 1e-9;
 
 /// A quantity along an axis. Two values at one position are a step.
@@ -74,7 +74,7 @@ impl Curve {
         })
     }
 
-    /// Where it bends or steps.
+    /// The positions at which it has kinks or steps.
     pub(crate) fn grid(&self) -> &[f64] {
         &self.grid
     }
@@ -120,14 +120,14 @@ impl Curve {
         base + fraction * (self.values[next] - base)
     }
 
-    /// The value that the file gives at or next below a position: its place in the file.
+    /// The place in the file of the value at a position, or of the next one below.
     pub(super) fn span_at(&self, s: f64) -> Range<usize> {
         let next = self.grid.partition_point(|&g| g <= s);
         self.spans[next.max(1) - 1].clone()
     }
 }
 
-/// Rising numbers from 0 to 1, each at most twice.
+/// Increasing numbers from 0 to 1, each at most twice.
 fn grid(node: &Node, what: &str) -> Result<Vec<f64>, Diagnostic> {
     let name = format!("the grid of {what}");
     let list = node.list(&name)?;
@@ -156,7 +156,8 @@ fn grid(node: &Node, what: &str) -> Result<Vec<f64>, Diagnostic> {
     }
 }
 
-/// The first number that is not above the one before it, unless both make a step.
+/// The first number that is not larger than the previous one, unless both form a step, with its
+/// mistake.
 fn falling(grid: &[f64], name: &str) -> Option<(usize, DiagnosticKind)> {
     (1..grid.len()).find_map(|i| {
         let (before, now) = (grid[i - 1], grid[i]);
@@ -170,15 +171,15 @@ fn falling(grid: &[f64], name: &str) -> Option<(usize, DiagnosticKind)> {
     })
 }
 
-/// A position where some quantity bends or steps: the range of the grids' values that differ from
-/// it only by rounding.
+/// A position at which some quantity has a kink or a step: the range of grid values that differ
+/// from it only by rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Position {
     pub(crate) from: f64,
     pub(crate) to: f64,
 }
 
-/// The positions of all curves together, rising.
+/// The positions of all curves together, in increasing order.
 pub(crate) fn positions<'a>(curves: impl IntoIterator<Item = &'a Curve>) -> Vec<Position> {
     let all = curves.into_iter().flat_map(Curve::grid);
     let mut all: Vec<f64> = all.copied().collect();

@@ -8,7 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::note::Note;
 
 /// Couplings below this fraction of the bending stiffness, and offsets below this many metres, are
-/// noise.
+/// negligible.
 const NOISE: f64 = 1e-6;
 
 /// A quantity that is the product of curves.
@@ -28,7 +28,7 @@ impl Quantity {
         self.0.iter().any(|c| c.values().iter().all(|&v| v == 0.0))
     }
 
-    /// Itself, unless it is zero everywhere, as the format's defaults are.
+    /// The quantity, unless it is zero everywhere, as the defaults of the format are.
     fn if_given(self) -> Option<Self> {
         (!self.is_zero()).then_some(self)
     }
@@ -38,7 +38,7 @@ impl Quantity {
 /// x (K44).
 #[derive(Debug, Clone)]
 pub(crate) struct Elastic {
-    /// Mass per length with its outfitting, kg/m.
+    /// Mass per length including outfitting, kg/m.
     pub(crate) mass: Quantity,
     /// EI, N m²: fore-aft, side-side.
     pub(super) bending: [Quantity; 2],
@@ -48,7 +48,7 @@ pub(crate) struct Elastic {
     pub(crate) axial: Option<Quantity>,
     /// Shear stiffness, N: fore-aft, side-side.
     pub(crate) shear: Option<[Quantity; 2]>,
-    /// Inertia per length against bending, kg m: fore-aft, side-side.
+    /// Rotary inertia per length for bending, kg m: fore-aft, side-side.
     pub(super) rotary: Option<[Quantity; 2]>,
     /// Inertia per length about the axis, kg m.
     pub(crate) polar: Option<Quantity>,
@@ -125,7 +125,7 @@ impl Elastic {
     }
 }
 
-/// Version 2: a stiffness matrix and an inertia matrix by their entries.
+/// Version 2: a stiffness matrix and an inertia matrix with named entries.
 fn matrices(beam: &Node, what: &str, reading: &mut Reading<'_>) -> Result<Elastic, Diagnostic> {
     let what = format!("elastic properties of the {what}");
     let stiffness = beam.require("stiffness_matrix", &what)?;
@@ -149,7 +149,7 @@ fn matrices(beam: &Node, what: &str, reading: &mut Reading<'_>) -> Result<Elasti
     Ok(elastic)
 }
 
-/// The couplings and offsets that are not noise.
+/// The couplings and offsets that are not negligible.
 fn couplings<'n>(stiffness: &'n Node, inertia: &'n Node) -> impl Iterator<Item = &'static str> {
     const COUPLINGS: [&str; 15] = [
         "K12", "K13", "K14", "K15", "K16", "K23", "K24", "K25", "K26", "K34", "K35", "K36", "K45",
@@ -185,7 +185,7 @@ fn note_left_out<'k>(
     }
 }
 
-/// The places of the diagonal entries in the upper triangle of a 6x6 matrix, row by row.
+/// The indices of the diagonal entries in the upper triangle of a 6x6 matrix, row by row.
 const DIAGONAL: [usize; 6] = [0, 6, 11, 15, 18, 20];
 
 /// Version 1: the upper triangles of both matrices row by row, 21 values for each position.

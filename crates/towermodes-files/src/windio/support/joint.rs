@@ -8,7 +8,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 use crate::number::Rounded;
 
-/// A gap between monopile and tower up to this, m, is closed.
+/// A gap between monopile and tower up to this height, m, is closed.
 const SMALL_GAP_M: f64 = 0.1;
 
 /// Makes the top of the monopile the base of the tower.

@@ -8,7 +8,7 @@ use super::curve::Curve;
 use super::materials::Materials;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// No wall has more layers than this; every row sums them up.
+/// Largest number of layers of a wall, because every row sums over them.
 const MAX_LAYERS: usize = 50;
 
 /// A layer of the wall.
@@ -16,12 +16,12 @@ const MAX_LAYERS: usize = 50;
 pub(crate) struct Layer {
     /// Thickness, m.
     pub(crate) thickness: Curve,
-    /// Which of the materials used.
+    /// The index of its material among those used.
     pub(crate) material: usize,
     pub(super) material_span: Range<usize>,
 }
 
-/// The layers of a part from outside in; none if its structure has none.
+/// The layers of a part from outside in; none if its structure has no layers.
 pub(crate) fn layers(
     structure: Option<&Node>,
     what: &str,

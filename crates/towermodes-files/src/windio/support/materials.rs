@@ -10,10 +10,10 @@ use super::super::text::yaml::{Node, Value};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 
-/// G and E/(2(1+ν)) may differ by this much, relatively: both are often rounded.
+/// G and E/(2(1+ν)) may differ by this much, relatively, because both are often rounded.
 const MODULI_TOLERANCE: f64 = 0.01;
 
-/// A material that some wall is made of.
+/// A material that is used in some wall.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Used {
     name: String,
@@ -35,7 +35,7 @@ impl<'a> Materials<'a> {
         Self { list, used }
     }
 
-    /// Which of those used is meant by a name.
+    /// The index of a material among those used, by its name.
     pub(super) fn index_of(
         &mut self,
         name_node: &Node,
@@ -152,7 +152,7 @@ fn missing(node: &Node, key: &str, what: &str) -> Diagnostic {
     Diagnostic::new(node.span.clone(), DiagnosticKind::missing_key(what, key)).with_hint(hint)
 }
 
-/// A value of a material; of an orthotropic material that along its fibres, with a note.
+/// A value of a material; for an orthotropic material that along its fibres, with a note.
 fn axial(
     node: &Node,
     key: &str,

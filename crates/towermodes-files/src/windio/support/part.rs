@@ -13,10 +13,10 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 use crate::number::Rounded;
 
-/// An axis that leaves the vertical by less than this, m, is straight.
+/// An axis that deviates from the vertical by less than this, m, is straight.
 const STRAIGHT_M: f64 = 1e-6;
 
-/// Heights nearer than this, m, are the same.
+/// Heights whose difference is smaller than this, m, are equal.
 pub(super) const SAME_M: f64 = 1e-6;
 
 /// Tower or monopile.
@@ -82,7 +82,7 @@ impl Part {
         Ok(part)
     }
 
-    /// Whether there is enough to know the sections.
+    /// Checks that the data are sufficient to compute the sections.
     fn check_whole(&self, node: &Node) -> Result<(), Diagnostic> {
         let what = self.what;
         if self.layers.is_empty() && self.elastic.is_none() {
@@ -119,7 +119,7 @@ impl Part {
         stops
     }
 
-    /// Height at a position; exactly the value of the file if it is given.
+    /// Height at a position; exactly the value of the file if the file gives it there.
     fn height_at(&self, position: Position) -> f64 {
         let at = self.z.grid().partition_point(|&g| g < position.from);
         match self.z.grid().get(at) {
@@ -138,7 +138,7 @@ impl Part {
         self.stops.last().map_or(0.0, |stop| stop.height_m)
     }
 
-    /// Takes away all below a height (m) that lies on the part.
+    /// Removes everything below a height (m) that lies on the part.
     pub(super) fn cut_below(&mut self, height_m: f64) {
         let is_below = |stop: &Stop| stop.height_m <= height_m + SAME_M;
         let above = self.stops.partition_point(is_below);
@@ -163,8 +163,8 @@ impl Part {
     }
 }
 
-/// Elastic properties that cannot be read are not a mistake of a part with layers: they are left
-/// out with a note.
+/// Elastic properties that cannot be read are not a mistake of a part with layers: they are omitted
+/// with a note.
 fn unless_unused(
     elastic: Result<Option<Elastic>, Diagnostic>,
     layers: &[Layer],
@@ -264,7 +264,7 @@ fn outfitting(structure: Option<&Node>, what: &str) -> Result<(f64, Range<usize>
     }
 }
 
-/// Point masses of version 2: positions and masses, which need not reach from end to end.
+/// Point masses of version 2: positions and masses, which need not extend over the whole part.
 fn point_masses(
     node: &Node,
     z: &Curve,

@@ -11,7 +11,7 @@ use super::wall::Wall;
 use crate::diagnostic::Diagnostic;
 use crate::places::TABLE;
 
-/// No more rows than this between two stops, and all in all.
+/// Largest number of rows between two stops, and in total.
 const MAX_ROWS_BETWEEN: usize = 200;
 const MAX_ROWS: usize = 200_000;
 
@@ -23,8 +23,8 @@ pub(crate) struct Placed<T> {
 }
 
 impl Part {
-    /// Its walls as tubes, if there is one layer everywhere; one that is the only one may be too
-    /// thin, which the checks of the tower report.
+    /// Its walls as tubes, if there is one layer everywhere; a single layer may be too thin, which
+    /// the checks of the tower report.
     pub(crate) fn tubes(&self) -> Option<Vec<Placed<Station>>> {
         let mut rows: Vec<Placed<Station>> = Vec::new();
         for (base, top) in self.stretches() {
@@ -52,7 +52,7 @@ impl Part {
         Some(rows)
     }
 
-    /// The layer of a stretch that has only one.
+    /// The layer of a stretch with only one layer.
     fn only_layer(&self, low: f64, high: f64) -> Option<&Layer> {
         let is_there =
             |layer: &&Layer| layer.thickness.above(low) > 0.0 || layer.thickness.below(high) > 0.0;
@@ -64,7 +64,7 @@ impl Part {
         }
     }
 
-    /// Its walls, or else its table, as rows of properties.
+    /// Its walls, otherwise its table, as rows of properties.
     pub(crate) fn table(
         &self,
         materials: &[Material],
@@ -182,7 +182,7 @@ impl Elastic {
         Placed { row, spans }
     }
 
-    /// The section; inertias that are not in the table are those of a thin tube of the outer
+    /// The section; inertias that are not in the table are those of a thin tube with the outer
     /// diameter, if that is known.
     fn properties(&self, at: &dyn Fn(&Quantity) -> f64, diameter_m: Option<f64>) -> Properties {
         let mass_kg_per_m = at(&self.mass);
@@ -210,14 +210,15 @@ impl Elastic {
     }
 }
 
-/// Adds a row unless it is the last one again.
+/// Adds a row unless it is equal to the last one.
 pub(crate) fn push<T: PartialEq>(rows: &mut Vec<Placed<T>>, row: Placed<T>) {
     if rows.last().is_none_or(|last| last.row != row.row) {
         rows.push(row);
     }
 }
 
-/// Adds a station, in the place of the last one if that is the same tube: what is above it counts.
+/// Adds a station; it replaces the last one if that is the same tube, because the material above
+/// applies.
 pub(super) fn push_station(rows: &mut Vec<Placed<Station>>, station: Placed<Station>) {
     let tube = |row: &Station| (row.height_m, row.outer_diameter_m, row.wall_thickness_m);
     if rows

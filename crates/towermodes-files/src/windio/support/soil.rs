@@ -1,4 +1,4 @@
-//! The soil around the embedded part of a monopile: elastic, of one shear modulus.
+//! The soil around the embedded part of a monopile: elastic, with one shear modulus.
 
 use towermodes::{
     Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Place, ShearModulus, SoilModel,
@@ -9,7 +9,7 @@ use super::super::text::reading::Reading;
 use super::super::text::yaml::Node;
 use crate::number::Rounded;
 
-/// The soil in `environment`, and where it is.
+/// The soil in `environment`, and its place in the file.
 #[derive(Debug, Clone)]
 pub(crate) struct Soil {
     shear_modulus_pa: f64,
@@ -29,7 +29,7 @@ impl Soil {
         })
     }
 
-    /// In words, for a note.
+    /// The soil as text, for a note.
     pub(super) fn words(&self) -> String {
         format!(
             "shear modulus {} Pa, Poisson's ratio {}",
@@ -38,8 +38,8 @@ impl Soil {
         )
     }
 
-    /// Puts it around a tower that reaches down to its lowest station, from a mudline (m) down. The
-    /// tip is free to move sideways and to rotate.
+    /// Adds the soil, from a mudline (m) downwards, around a tower that extends down to its lowest
+    /// station. The tip is free to move horizontally and to rotate.
     pub(crate) fn surround(
         &self,
         mudline_m: f64,

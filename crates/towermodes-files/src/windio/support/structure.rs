@@ -30,7 +30,7 @@ pub(crate) struct Structure {
 }
 
 impl Structure {
-    /// Reads the parts that are wanted and joins them.
+    /// Reads the requested parts and joins them.
     pub(crate) fn read(
         outline: &Outline,
         version: Version,
@@ -75,7 +75,7 @@ impl Structure {
         self.parts.first().map_or(0.0, Part::base_m)
     }
 
-    /// Height of the joint between monopile and tower, m, if both are there.
+    /// Height of the joint between monopile and tower, m, if both exist.
     pub(crate) fn joint_m(&self) -> Option<f64> {
         match &self.parts[..] {
             [_, tower] => Some(tower.base_m()),
@@ -88,8 +88,8 @@ impl Structure {
         self.parts.last().map_or(0.0, Part::top_m)
     }
 
-    /// Takes away all below a height (m) that lies between base and top; masses from there stay, on
-    /// the new base.
+    /// Removes everything below a height (m) between base and top; masses from there remain, on the
+    /// new base.
     pub(super) fn cut_below(&mut self, height_m: f64) {
         self.parts.retain(|part| part.top_m() > height_m + SAME_M);
         if let Some(part) = self
@@ -156,7 +156,7 @@ impl Structure {
         parts.all(|part| part.tubes().is_some() && !part.layers.is_empty())
     }
 
-    /// The sections as tubes if they all are, or else as rows of properties.
+    /// The sections as tubes if they all are tubes, otherwise as rows of properties.
     pub(crate) fn describe(
         mut self,
         reading: &mut Reading<'_>,
@@ -182,7 +182,7 @@ impl Structure {
         Ok(description)
     }
 
-    /// Tubes; where the parts have different outfitting, it goes into their densities.
+    /// Tubes; if the outfitting of the parts differs, it is included in their densities.
     fn of_tubes(
         &self,
         tubes: Vec<Vec<Placed<towermodes::Station>>>,
@@ -241,7 +241,7 @@ impl Structure {
         })
     }
 
-    /// The materials that walls are made of.
+    /// The materials of the walls.
     pub(crate) fn materials(&self) -> Vec<Material> {
         self.materials.iter().map(|used| used.material).collect()
     }

@@ -6,7 +6,7 @@ use super::super::text::reading::Reading;
 use super::sections::Placed;
 use crate::note::Note;
 
-/// A motion of a section: its name, its stiffness, whether it is flexible, and how it becomes
+/// A motion of a section: its name, its stiffness, whether it is flexible, and how it is made
 /// rigid.
 struct Motion {
     name: &'static str,
@@ -36,7 +36,8 @@ const MOTIONS: [Motion; 3] = [
     },
 ];
 
-/// Makes a motion rigid in all rows if it is rigid in some, with a note; rigid in shear is usual.
+/// Makes a motion rigid in all rows if it is rigid in some, with a note, except for shear, where
+/// this is usual.
 pub(super) fn unify_stiffness(rows: &mut [Placed<PropertyStation>], reading: &mut Reading<'_>) {
     for motion in &MOTIONS {
         let there = rows

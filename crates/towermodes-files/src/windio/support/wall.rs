@@ -13,14 +13,15 @@ const ROW_ERROR: f64 = 1e-5;
 /// A stretch of wall: diameter and thicknesses at its base and top, linear between them.
 pub(super) struct Wall {
     pub(crate) diameter_m: [f64; 2],
-    /// Thicknesses from outside in, m, and which of the materials each layer is of.
+    /// Thicknesses from outside in, m, and the index of the material of each layer.
     pub(crate) layers: Vec<([f64; 2], usize)>,
     /// Its place in the file.
     pub(crate) span: Range<usize>,
 }
 
 impl Wall {
-    /// Checks that there is a tube at the base (0) or the top (1); `at` is where that is.
+    /// Checks that there is a tube at the base (0) or the top (1); `at` is the position in
+    /// messages.
     pub(super) fn check(&self, end: usize, at: &str) -> Result<(), DiagnosticKind> {
         let d = self.diameter_m[end];
         let t: f64 = self.layers.iter().map(|(t, _)| t[end]).sum();
@@ -72,8 +73,8 @@ impl Wall {
         }
     }
 
-    /// The number of rows that the stretch needs for an accurate linear interpolation: the error
-    /// falls with their square.
+    /// The number of rows that the stretch needs for an accurate linear interpolation: the error is
+    /// inversely proportional to its square.
     pub(super) fn rows_between(
         &self,
         materials: &[Material],

@@ -15,8 +15,8 @@ use crate::number::Rounded;
 /// The soil around a monopile, from the mudline (m) down.
 pub(super) type InSoil = (Soil, f64);
 
-/// The soil that surrounds a monopile of tubes below the mudline. Where the file has none, removes
-/// the part below the mudline. Both with a note.
+/// The soil that surrounds a monopile of tubes below the mudline. If the file has none, the part
+/// below the mudline is removed. Both with a note.
 pub(crate) fn stand(
     structure: &mut Structure,
     outline: &Outline,
@@ -80,7 +80,7 @@ fn mudline_notes(base_m: f64, mudline_m: f64, soil: Option<&Soil>, is_kept: bool
     notes
 }
 
-/// The note that the water above a mudline (m) is left out.
+/// The note that the water above a mudline (m) is omitted.
 pub(crate) fn in_air(mudline_m: f64) -> Note {
     Note::left_out(format!(
         "the frequencies are those in air: for the mass of the water add [water] with level = 0.0 and bed = {mudline_m:?} after `convert --to toml`"

@@ -1,4 +1,4 @@
-//! Skips the tables of airfoils before parsing: they are half of a file, and a tower does not use
+//! Skips the tables of airfoils before parsing: they are half of a file, and a tower does not need
 //! them.
 
 use std::borrow::Cow;
@@ -6,8 +6,8 @@ use std::borrow::Cow;
 /// The text with the list under `airfoils:` replaced by blanks, so that all other text keeps its
 /// position.
 ///
-/// The text is unchanged if the value is not certainly a list, or if another part of the file may
-/// refer to something in it.
+/// The text is unchanged if the value is possibly not a list, or if another part of the file may
+/// refer to an anchor in it.
 pub(crate) fn without_airfoils(text: &str) -> Cow<'_, str> {
     let Some(range) = section(text) else {
         return Cow::Borrowed(text);
@@ -25,7 +25,7 @@ pub(crate) fn without_airfoils(text: &str) -> Cow<'_, str> {
     Cow::Owned(blank)
 }
 
-/// The text between the line `airfoils:` and the next key without indentation.
+/// The text from the line `airfoils:` to the next key without indentation.
 fn section(text: &str) -> Option<std::ops::Range<usize>> {
     let key = "\nairfoils:";
     let start = text.find(key)? + key.len();

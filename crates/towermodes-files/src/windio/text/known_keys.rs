@@ -1,7 +1,8 @@
-//! Keys that look like a key that is read: a misspelled key would be ignored without a message.
+//! Keys that are similar to a key that is read: a misspelled key would be ignored without a
+//! message.
 //!
-//! The known keys are in `known_keys.txt`: those of the schemas of windIO 1.0 and 2.x, read or not,
-//! and those that WISDEM adds. They get no note.
+//! The known keys are in `known_keys.txt`: those of the schemas of windIO 1.0 and 2.x, whether read
+//! or not, and those that WISDEM adds. They get no note.
 
 use super::outline::{Components, Outline};
 use super::reading::Reading;
@@ -15,9 +16,9 @@ const TABLE: &str = include_str!("known_keys.txt");
 /// The keys of a kind of mapping, separated by blanks.
 #[derive(Debug, Clone, Copy)]
 struct Keys {
-    /// Those that are read.
+    /// The keys that are read.
     read: &'static str,
-    /// Others that files of this format have.
+    /// Other keys of this format.
     others: &'static str,
 }
 
@@ -45,7 +46,7 @@ impl Keys {
     }
 }
 
-/// Notes the keys of everything that is read of the file that look like a key that is read.
+/// Notes unknown keys, in all parts that are read, that are similar to a key that is read.
 pub(crate) fn note_lookalikes(outline: &Outline, part: TowerPart, reading: &mut Reading<'_>) {
     note_names(&outline.unknown, "root", "the file", reading);
     let nodes = [
@@ -68,12 +69,12 @@ pub(crate) fn note_lookalikes(outline: &Outline, part: TowerPart, reading: &mut 
     }
 }
 
-/// The same of materials, of which only those are looked at that walls are made of.
+/// Notes such keys of materials; only materials of walls are checked.
 pub(crate) fn note_material(node: &Node, what: &str, reading: &mut Reading<'_>) {
     note_keys(Some(node), "material", what, reading);
 }
 
-/// The same of a jacket.
+/// Notes such keys of a jacket.
 pub(crate) fn note_jacket(node: &Node, reading: &mut Reading<'_>) {
     note_keys(Some(node), "jacket", "jacket", reading);
 }
@@ -102,7 +103,7 @@ fn note_structure(components: &Components, part: TowerPart, reading: &mut Readin
     }
 }
 
-/// Diameters, axes and layers.
+/// Notes such keys of diameters, axes and layers.
 fn note_curves(part: &Node, what: &str, reading: &mut Reading<'_>) {
     let shapes = [
         "outer_shape",
@@ -129,7 +130,7 @@ fn note_curves(part: &Node, what: &str, reading: &mut Reading<'_>) {
     }
 }
 
-/// What the rotor-nacelle assembly is read from.
+/// Notes such keys of the parts from which the rotor-nacelle assembly is read.
 fn note_assembly(components: &Components, reading: &mut Reading<'_>) {
     let (hub, nacelle) = (components.hub.as_ref(), components.nacelle.as_ref());
     let (drivetrain, yaw) = (components.drivetrain.as_ref(), components.yaw.as_ref());
@@ -164,7 +165,7 @@ fn note_keys(node: Option<&Node>, kind: &str, what: &str, reading: &mut Reading<
     }
 }
 
-/// The same of keys whose values are not kept.
+/// Notes such keys whose values are not stored.
 fn note_names(names: &[String], kind: &str, what: &str, reading: &mut Reading<'_>) {
     let end = reading.source.text.len();
     for name in names {
@@ -184,10 +185,10 @@ fn note_key(key: &str, value_at: usize, keys: Keys, what: &str, reading: &mut Re
     reading.note_at(at, Note::suspicious(message));
 }
 
-/// The key that is read and that another looks like, unless it looks as much like one that is not
-/// read.
+/// The key that is read and is similar to another one, unless a key that is not read is equally
+/// similar.
 fn lookalike(key: &str, keys: Keys) -> Option<&'static str> {
-    /// No key of the format is half as long.
+    /// Largest length of a compared key; no key of the format is half as long.
     const LONGEST: usize = 80;
     if key.len() > LONGEST {
         return None;
@@ -209,8 +210,8 @@ fn lookalike(key: &str, keys: Keys) -> Option<&'static str> {
     (found <= allowed && other.is_none_or(|other| found < other)).then_some(nearest)
 }
 
-/// The place of the key whose value begins at a byte: the nearest one before it, or the first in
-/// the file.
+/// The place of the key whose value begins at a byte: the nearest occurrence before it, or the
+/// first in the file.
 fn place_of(key: &str, value_at: usize, text: &str) -> usize {
     let before = text.get(..value_at).unwrap_or(text);
     let is_key = |at: usize| {

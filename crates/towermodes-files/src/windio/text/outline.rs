@@ -1,9 +1,9 @@
-//! The parts of a windIO file that are read, and the names of the keys that are not.
+//! The parts of a windIO file that are read, and the names of the keys that are not read.
 
 use super::yaml::{Node, Value};
 use crate::diagnostic::Diagnostic;
 
-/// The file.
+/// The parts of the file.
 #[derive(Debug)]
 pub(crate) struct Outline {
     pub(crate) version: Option<Node>,
@@ -28,22 +28,22 @@ pub(crate) struct Components {
     /// The whole rotor-nacelle assembly, in the first files of version 1.
     pub(crate) rna: Option<Node>,
     pub(crate) hub: Option<Node>,
-    /// Version 1.
+    /// The nacelle, in version 1.
     pub(crate) nacelle: Option<Node>,
-    /// Version 2.
+    /// The drivetrain, in version 2.
     pub(crate) drivetrain: Option<Node>,
-    /// Version 2.
+    /// The yaw system, in version 2.
     pub(crate) yaw: Option<Node>,
     pub(crate) blade: Option<Blade>,
     /// Keys that are not read.
     pub(crate) unknown: Vec<String>,
 }
 
-/// The parts of a blade that give its mass and its chords.
+/// A blade, with the parts that give its mass and its chords.
 #[derive(Debug)]
 pub(crate) struct Blade(Node);
 
-/// The entries of a map, each taken once.
+/// The entries of a map, each of which can be taken once.
 struct Entries(Vec<(String, Node)>);
 
 impl Entries {
@@ -62,17 +62,17 @@ impl Entries {
         (node.value != Value::Null).then_some(node)
     }
 
-    /// The keys that nobody took.
+    /// The keys that were not taken.
     fn unknown(self) -> Vec<String> {
         self.0.into_iter().map(|(key, _)| key).collect()
     }
 }
 
 impl Outline {
-    /// Sorts the keys of a file into those that are read and the others.
+    /// Divides the keys of a file into those that are read and the others.
     ///
     /// # Errors
-    /// The file or its components are no map.
+    /// The file or its components are not a map.
     pub(crate) fn of(file: Node) -> Result<Self, Diagnostic> {
         let mut file = Entries::of(file, "the file")?;
         Ok(Self {
@@ -129,7 +129,7 @@ impl Blade {
         Ok(Self(node))
     }
 
-    /// In version 2 at the blade, in version 1 in its shape.
+    /// The axis, in version 2 a key of the blade, in version 1 of its shape.
     pub(crate) fn axis(&self) -> Option<&Node> {
         let older = || self.0.find(&["outer_shape_bem", "reference_axis"]);
         self.0.get("reference_axis").or_else(older)
@@ -205,7 +205,7 @@ impl Version {
 }
 
 impl Outline {
-    /// Its version, or that of its keys if it is not given.
+    /// The version that the file gives, otherwise the version of its keys.
     pub(crate) fn version(&self, text: &str) -> Version {
         let said = self.version.as_ref().map(|node| node.name(text));
         match said.and_then(|version| version.trim().chars().next()) {

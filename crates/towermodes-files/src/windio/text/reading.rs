@@ -14,7 +14,7 @@ use crate::source::Source;
 pub(crate) struct Reading<'a> {
     pub(crate) source: &'a Source,
     pub(crate) notes: Vec<Note>,
-    /// Notes that matter only where the rotor does.
+    /// Notes that apply only if the rotor is used.
     pub(crate) rotor_notes: RotorNotes,
     pub(crate) mistakes: Vec<Diagnostic>,
     pub(crate) places: Places,
@@ -35,7 +35,7 @@ impl<'a> Reading<'a> {
         self.notes.push(note);
     }
 
-    /// A note at a place; once, even if two parts use what is there.
+    /// Adds a note at a place; once, even if two parts use the data there.
     pub(crate) fn note_at(&mut self, byte: usize, note: Note) {
         let note = note.at(self.source, byte);
         if !self.notes.contains(&note) {
@@ -43,12 +43,12 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// Remembers the place of a value for the checks of the whole tower.
+    /// Stores the place of a value for the checks of the whole tower.
     pub(crate) fn remember(&mut self, place: Place, span: &Range<usize>) {
         self.places.remember(place, 0, span.clone());
     }
 
-    /// What was read, or nothing and the mistake kept.
+    /// The value that was read, or none, with its mistake stored.
     pub(crate) fn keep<T>(&mut self, result: Result<T, Diagnostic>) -> Option<T> {
         result.map_err(|mistake| self.mistakes.push(mistake)).ok()
     }

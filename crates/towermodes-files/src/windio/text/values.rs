@@ -38,7 +38,7 @@ impl Node {
         }
     }
 
-    /// The finite number it is, however it is written: 1e9 is text to older readers of YAML.
+    /// The finite number in any notation: 1e9 is text for older readers of YAML.
     pub(crate) fn number(&self, what: &str) -> Result<f64, Diagnostic> {
         let number = match &self.value {
             Value::Number(number) => Some(*number),

@@ -7,7 +7,7 @@ use granit_parser::{Event, Options, Parser, ScalarStyle, Span, Tag};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// A value and the bytes of the file it takes; of a list or a map, where it begins. The place of an
+/// A value and its byte range in the file; for a list or a map, where it begins. The place of an
 /// alias is that of its definition.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Node {
@@ -15,7 +15,7 @@ pub(crate) struct Node {
     pub(crate) span: Range<usize>,
 }
 
-/// What a value is.
+/// The content of a value.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Value {
     Null,
@@ -26,15 +26,15 @@ pub(crate) enum Value {
     Map(Vec<(String, Node)>),
 }
 
-/// No turbine has more values, lists and maps, aliases replayed. A small file with aliases of
-/// aliases would become a large tree.
+/// Largest number of values, lists and maps, with aliases expanded. A small file with aliases of
+/// aliases would otherwise become a large tree.
 const MOST_NODES: usize = 1_000_000;
-/// No turbine is nested more deeply.
+/// Largest depth of nesting.
 const MOST_DEPTH: usize = 64;
-/// The key whose maps are merged into the map that has it.
+/// The key whose maps are merged into the map that contains it.
 const MERGE: &str = "<<";
 
-/// Reads a text as YAML; null if it has no document.
+/// Reads a text as YAML; null if it contains no document.
 ///
 /// # Errors
 /// [`DiagnosticKind::Syntax`].
@@ -56,24 +56,24 @@ pub(crate) fn parse(text: &str) -> Result<Node, Diagnostic> {
     Ok(tree.root.unwrap_or_else(empty))
 }
 
-/// A tree that is not complete.
+/// A tree that is not yet complete.
 #[derive(Default)]
 struct Tree {
     root: Option<Node>,
-    /// The lists and maps that are not closed.
+    /// The lists and maps that are not yet closed.
     open: Vec<Open>,
-    /// The nodes with an anchor, and how many nodes each has.
+    /// The nodes with an anchor, and the number of nodes in each.
     anchors: HashMap<usize, (Node, usize)>,
     nodes: usize,
 }
 
-/// A list or a map that is not closed.
+/// A list or a map that is not yet closed.
 struct Open {
     node: Node,
     anchor: usize,
-    /// The keys of a map.
+    /// The keys of a map that were read.
     keys: HashSet<String>,
-    /// The key that waits for its value.
+    /// The key whose value has not been read.
     waiting: Option<String>,
 }
 
@@ -123,7 +123,7 @@ impl Tree {
         Ok(())
     }
 
-    /// Puts a complete node where it belongs. The copy of a node with an anchor counts too.
+    /// Adds a complete node to its parent. The copy of a node with an anchor counts too.
     fn place(&mut self, node: Node, anchor: usize, text: &str) -> Result<(), String> {
         self.nodes += 1;
         if anchor != 0 {
@@ -157,7 +157,7 @@ impl Tree {
 const TOO_LARGE: &str = "it is larger or more deeply nested than any turbine";
 
 impl Node {
-    /// How many nodes it has with itself.
+    /// The number of nodes in it, including itself.
     fn count(&self) -> usize {
         1 + match &self.value {
             Value::List(list) => list.iter().map(Self::count).sum(),
@@ -166,7 +166,7 @@ impl Node {
         }
     }
 
-    /// The key that it is, as it is written.
+    /// The node as a key, as written.
     fn key(self, text: &str) -> Result<String, String> {
         match self.value {
             Value::Text(key) => Ok(key),
@@ -176,7 +176,7 @@ impl Node {
     }
 }
 
-/// A map with the entries of the maps under `<<` whose keys it does not have itself.
+/// A map with the entries of the maps under `<<` whose keys it does not contain itself.
 fn merged(mut node: Node, mut keys: HashSet<String>) -> Result<Node, String> {
     let Value::Map(entries) = &mut node.value else {
         return Ok(node);
@@ -207,7 +207,8 @@ fn merged(mut node: Node, mut keys: HashSet<String>) -> Result<Node, String> {
     Ok(node)
 }
 
-/// What a scalar is by the core schema of YAML 1.2: text if it is quoted or tagged so.
+/// The value of a scalar by the core schema of YAML 1.2: text if it is quoted or has a tag for
+/// text.
 fn scalar(text: &str, style: ScalarStyle, tag: Option<&Tag>) -> Result<Value, String> {
     let tag = tag.and_then(Tag::core_suffix);
     let is_plain = style == ScalarStyle::Plain;

@@ -6,7 +6,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum WindIoWriteError {
-    /// Two heights are the same position of the axis but for rounding.
+    /// Two heights have the same position on the axis within rounding.
     #[error(
         "the heights {below_m} m and {above_m} m are too close together for positions from 0 to 1 along {length_m} m"
     )]
@@ -18,12 +18,12 @@ pub enum WindIoWriteError {
         /// Length of the tower, m.
         length_m: f64,
     },
-    /// What carries the tower would be lost, and the written tower would look clamped.
+    /// The support of the tower would be lost, and the written tower would look clamped.
     #[error(
         "the tower stands on a substructure of members, which this program does not write in windIO: to write the tower alone, read the file with --clamped, or delete [substructure] in the tower file"
     )]
     OnFrame,
-    /// The tower is not the one of the description.
+    /// The tower does not belong to the description.
     #[error("the description has neither stations nor properties")]
     NoSections,
 }

@@ -1,10 +1,10 @@
-//! The properties of a tower that windIO cannot hold.
+//! The properties of a tower that windIO cannot store.
 
 use towermodes::{Foundation, Inertia, LossFactors, Shear, TowerDescription};
 
 use crate::note::Note;
 
-/// A note on each property that is left out or written differently.
+/// A note on each property that is omitted or written differently.
 pub(super) fn notes(description: &TowerDescription) -> Vec<Note> {
     let d = description;
     let is_heavy = |mass: &towermodes::PointMass| mass.inertia_kg_m2 != Inertia::default();

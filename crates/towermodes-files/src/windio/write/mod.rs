@@ -14,8 +14,8 @@ use yaml_text::Yaml;
 
 pub use error::WindIoWriteError;
 
-/// Writes a tower as windIO 2: `description` is what `tower` was made of. The notes list
-/// the data that the format cannot store.
+/// Writes a tower as windIO 2: `description` is the description of `tower`. The notes list the data
+/// that the format cannot store.
 ///
 /// Everything from base to top is written as `components.tower`, and the rotor-nacelle assembly as
 /// `components.drivetrain`.
@@ -84,7 +84,8 @@ fn tower(description: &TowerDescription, axis: &Axis) -> Result<(Yaml, Yaml), Wi
     Ok((Yaml::Map(tower), materials))
 }
 
-/// The rated speed is the highest operating speed; only the protection limit is above it.
+/// The control data: the rated speed is the highest operating speed; only the protection limit is
+/// above it.
 fn control(rotor: &Rotor) -> Yaml {
     Yaml::Map(vec![
         ("min_rotor_speed", Yaml::Number(rotor.lowest_rpm)),
@@ -105,7 +106,7 @@ fn drivetrain(rna: &Rna) -> Yaml {
     Yaml::Map(vec![("elastic_properties", Yaml::Map(body))])
 }
 
-/// Point masses at their positions; the format wants at least two.
+/// Point masses at their positions; the format requires at least two.
 fn point_masses(masses: &[PointMass], axis: &Axis) -> Option<Yaml> {
     let mut masses: Vec<(f64, f64)> = masses
         .iter()

@@ -7,7 +7,7 @@ use towermodes::{Material, Properties, Station, TowerDescription};
 use super::error::WindIoWriteError;
 use super::yaml_text::Yaml;
 
-/// Positions nearer than this are the same to the reader.
+/// Positions that are closer together than this are equal for the reader.
 const SAME: f64 = 1e-12;
 
 /// Heights and positions of the rows.
@@ -51,7 +51,7 @@ impl Axis {
         self.rows > self.grid.len()
     }
 
-    /// Where a height is, from 0 at the base to 1 at the top.
+    /// The position of a height, from 0 at the base to 1 at the top.
     pub(super) fn position(&self, height_m: f64) -> f64 {
         (height_m - self.base_m) / self.length_m
     }
@@ -81,7 +81,8 @@ pub(super) fn walls(description: &TowerDescription, axis: &Axis) -> (Yaml, Entri
     (diameter, structure, Yaml::List(materials.collect()))
 }
 
-/// The tubes of a material as a layer, which has no thickness where the tower is of another one.
+/// The tubes of a material as a layer, whose thickness is zero where the tower consists of another
+/// material.
 fn layer(index: usize, pieces: &[&[Station]], axis: &Axis) -> Yaml {
     let thickness = along(pieces, axis, |station, material| {
         if material == index {
@@ -148,7 +149,7 @@ fn material(index: usize, material: &Material) -> Yaml {
     ])
 }
 
-/// The sections of tubes.
+/// The sections of tubes, as rows.
 fn tube_rows(
     pieces: &[&[Station]],
     description: &TowerDescription,
@@ -202,8 +203,7 @@ fn beam(rows: &[(f64, Properties)]) -> Yaml {
     ])
 }
 
-/// The stiffness matrix; entries that are infinite are left out, which is how the reader knows
-/// them.
+/// The stiffness matrix; infinite entries are omitted, which the reader interprets as infinite.
 fn stiffness(rows: &[(f64, Properties)]) -> Entries {
     let all = |is: fn(&Properties) -> bool| rows.iter().all(|(_, p)| is(p));
     let mut stiffness = vec![

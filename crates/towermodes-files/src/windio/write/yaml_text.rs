@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// What is written.
+/// A value to be written.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Yaml {
     Number(f64),
@@ -81,8 +81,8 @@ fn line(out: &mut String, value: &str) {
     out.push('\n');
 }
 
-/// The fewest digits that give the number again; always with a point and a signed exponent, which
-/// older readers of YAML need.
+/// The shortest decimal form that is read back as the same number; always with a point and a signed
+/// exponent, which older readers of YAML need.
 fn number(value: f64) -> String {
     let text = format!("{value:?}");
     match text.split_once('e') {
@@ -95,7 +95,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// In double quotes; what cannot be seen is escaped.
+/// A text in double quotes; invisible characters are escaped.
 fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {

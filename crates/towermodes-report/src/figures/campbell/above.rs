@@ -1,4 +1,4 @@
-//! The modes outside the field of a Campbell diagram, in words.
+//! The modes outside the field of a Campbell diagram, as text.
 
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::Campbell;
@@ -6,7 +6,7 @@ use towermodes_analysis::resonance::Campbell;
 use super::lines::Shown;
 use crate::wording::{counted, verdict_word};
 
-/// "3 modes above the frequency range, 1 FAIL"; none if there are none.
+/// "3 modes above the frequency range, 1 FAIL"; none if there are no such modes.
 pub(super) fn above_text(campbell: &Campbell, shown: &Shown) -> Option<String> {
     if shown.above.is_empty() {
         return None;
@@ -24,7 +24,7 @@ pub(super) fn above_text(campbell: &Campbell, shown: &Shown) -> Option<String> {
     Some(format!("{modes} above the frequency range{verdicts}"))
 }
 
-/// "2 modes at 0 Hz"; none if there are none.
+/// "2 modes at 0 Hz"; none if there are no such modes.
 pub(super) fn unresisted_text(shown: &Shown) -> Option<String> {
     (shown.unresisted > 0).then(|| counted(shown.unresisted, "mode") + " at 0 Hz")
 }

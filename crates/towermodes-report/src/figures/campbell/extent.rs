@@ -5,23 +5,24 @@ use towermodes_analysis::resonance::{BEYOND_OPERATION, Campbell, StiffnessClass}
 
 use crate::svg::extent;
 
-/// The number of tower modes that are shown even if they are above the excitations …
+/// The number of tower modes that are shown even if they are above the excitations, …
 const TOWER_MODES: usize = 5;
 /// … up to this multiple of the highest excitation in operation.
 const WORTH: f64 = 2.0;
 /// Pairs that fail or warn are shown up to this multiple of the highest excitation.
 const FAR: f64 = 6.0;
-/// The diagram ends at this multiple of its highest line.
+/// The diagram extends to this multiple of its highest line.
 const ABOVE: f64 = 1.06;
-/// The main field ends at this multiple of the first bending modes …
+/// The main field extends to this multiple of the first bending modes …
 const ABOVE_FIRST: f64 = 1.3;
 /// … and at this multiple of the end of the ray of the blade passing frequency.
 const ABOVE_RAY: f64 = 1.03;
-/// The main field ends at most at this multiple of that so that its end cuts no curve …
+/// The end of the main field is raised by at most this factor, so that it does not cut a curve, …
 const MOVED: f64 = 2.2;
-/// … and keeps this relative distance from them.
+/// … and keeps this relative distance from the curves.
 const BESIDE: f64 = 0.015;
-/// Higher modes get the upper field if they would take more than this fraction of the height.
+/// Higher modes get the upper field if they would increase the height of the diagram by more than
+/// this factor.
 const SQUEEZED: f64 = 1.35;
 
 /// The speed at the right end, rpm.
@@ -55,7 +56,8 @@ pub(super) fn ends_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -
     }
 }
 
-/// The next frequency that no curve crosses or touches, Hz; the same if that is far above.
+/// The next higher frequency that no curve crosses or touches, Hz; the given one if the next is far
+/// above.
 fn beside_curves(campbell: &Campbell, from_hz: f64) -> f64 {
     let ranges = campbell.lines.iter().filter_map(|line| {
         let hz = line.points.iter().map(|[_, hz]| *hz);
@@ -65,7 +67,7 @@ fn beside_curves(campbell: &Campbell, from_hz: f64) -> f64 {
     beside(ranges.collect(), from_hz)
 }
 
-/// The next value outside all ranges; the same if that is far above.
+/// The next higher value outside all ranges; the given one if the next is far above.
 fn beside(mut ranges: Vec<[f64; 2]>, from: f64) -> f64 {
     ranges.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let above = |end: f64, [low, high]: [f64; 2]| match low < end && end < high {
@@ -78,8 +80,8 @@ fn beside(mut ranges: Vec<[f64; 2]>, from: f64) -> f64 {
     }
 }
 
-/// The upper end of the main field: the first bending modes, and the ray of the blade passing
-/// frequency to the right end; if all these modes are below 1P, the ray of 1P.
+/// The upper end of the main field: above the first bending modes and the ray of the blade passing
+/// frequency at the right end; if all these modes are below 1P, above the ray of 1P.
 fn decisive_hz(campbell: &Campbell, last_rpm: f64) -> f64 {
     let mut classes = campbell.classes.iter().map(|(_, class)| *class);
     let is_soft_soft =
@@ -93,7 +95,7 @@ fn decisive_hz(campbell: &Campbell, last_rpm: f64) -> f64 {
     (ABOVE_FIRST * first_hz(campbell)).max(ABOVE_RAY * ray_hz)
 }
 
-/// The highest of the first bending modes, Hz; without these the lowest tower mode above 0 Hz.
+/// The highest of the first bending modes, Hz; if there are none, the lowest tower mode above 0 Hz.
 fn first_hz(campbell: &Campbell) -> f64 {
     let lines = campbell.first_bending.iter();
     let lines = lines.filter_map(|line| campbell.lines.get(*line));
@@ -105,7 +107,7 @@ fn first_hz(campbell: &Campbell) -> f64 {
 }
 
 /// The upper end of the diagram, Hz: above every line that the highest excitation crosses, the
-/// lowest tower modes, and every pair that fails or warns.
+/// lowest tower modes, and every pair with FAIL or WARN.
 fn highest_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -> f64 {
     let highest = multiples.iter().max().map_or(0.0, |n| *n as f64);
     let excitation_hz = highest * campbell.rotor.highest_rpm / 60.0;
@@ -130,7 +132,8 @@ fn tower_hz(campbell: &Campbell) -> impl Iterator<Item = f64> {
     tower.filter_map(|line| line.points.first().map(|[_, hz]| *hz))
 }
 
-/// The highest tower mode to show: the first, and the next few not far above the excitations.
+/// The highest tower mode to show: the first mode, and the next few modes not far above the
+/// excitations.
 fn worthy_hz(campbell: &Campbell, excitation_hz: f64) -> f64 {
     let mut tower_hz = tower_hz(campbell);
     let first_hz = tower_hz.find(|hz| *hz > 0.0).unwrap_or(0.0);
@@ -160,7 +163,8 @@ fn judged_hz(campbell: &Campbell, multiples: &[usize], end_hz: f64) -> f64 {
 mod tests {
     use super::beside;
 
-    /// From 1 the ranges 0.9 to 1.2 and 1.1 to 1.5 are passed; 2.5 is more than 2.2 times as high.
+    /// From 1 on, the ranges 0.9 to 1.2 and 1.1 to 1.5 are skipped; 2.5 is more than 2.2 times as
+    /// high.
     #[test]
     fn the_break_between_fields_cuts_no_curve() {
         let ranges = vec![[1.1, 1.5], [0.2, 0.3], [0.9, 1.2], [1.6, 2.0]];

@@ -1,4 +1,4 @@
-//! The fields of a Campbell diagram: band of operation, excitations, modes, marks, labels.
+//! The fields of a Campbell diagram: operating band, excitations, modes, marks, labels.
 
 use towermodes_analysis::resonance::Campbell;
 
@@ -14,7 +14,7 @@ use super::rays;
 use super::shades::{self, operation_places};
 use crate::wording::speed_range;
 
-/// Below the fields: numbers and name of the axis.
+/// Room below the fields for the numbers and the name of the axis.
 const BELOW: f64 = 46.0;
 /// Radius of the circle at a change of names.
 const CHANGE: f64 = 3.0;
@@ -53,7 +53,7 @@ pub(super) fn drawing(campbell: &Campbell, shown: &Shown) -> Drawing {
     drawing
 }
 
-/// Shades, axes, rays and modes of a field.
+/// Draws the shades, axes, rays and modes of a field.
 fn draw_field(
     drawing: &mut Drawing,
     (campbell, shown): (&Campbell, &Shown),
@@ -107,7 +107,7 @@ fn draw_aside(drawing: &mut Drawing, fields: &[Axes], [above, below]: &[Option<S
     }
 }
 
-/// The operating speeds above the fields, with a bracket over the band.
+/// Writes the operating speeds above the fields, with a bracket over the operating band.
 fn operation(drawing: &mut Drawing, campbell: &Campbell, fields: &[Axes]) {
     let Some(axes) = fields.last() else {
         return;
@@ -137,7 +137,7 @@ fn operation(drawing: &mut Drawing, campbell: &Campbell, fields: &[Axes]) {
     drawing.text((middle, above - 6.0), &text, &style);
 }
 
-/// The lines of the modes, and circles where curves change their names.
+/// Draws the lines of the modes, and circles where curves change their names.
 fn modes(drawing: &mut Drawing, shown: &Shown, axes: &Axes) {
     for group in &shown.groups {
         let places: Vec<(f64, f64)> = group
@@ -159,7 +159,7 @@ fn modes(drawing: &mut Drawing, shown: &Shown, axes: &Axes) {
     }
 }
 
-/// The circle at a change of names.
+/// Draws the circle at a change of names.
 fn change(drawing: &mut Drawing, place: (f64, f64)) {
     drawing.disc(
         place,

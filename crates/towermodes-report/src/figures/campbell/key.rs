@@ -12,7 +12,7 @@ use crate::number::four_digits;
 use crate::svg::{Colour, Marker};
 use crate::wording::counted;
 
-/// The entries of the legend, and how many lines of modes and excitations have no label.
+/// The entries of the legend, and the number of lines of modes and of excitations without label.
 pub(super) fn entries(
     campbell: &Campbell,
     shown: &Shown,
@@ -33,8 +33,8 @@ pub(super) fn entries(
     entries
 }
 
-/// One entry for the lines that are drawn alike, in the order in which they first appear; those of
-/// the tower first.
+/// One entry for all lines of the same style, in the order in which they first appear; the tower
+/// modes first.
 fn modes(shown: &Shown) -> Vec<Entry> {
     let mut entries: Vec<Entry> = Vec::new();
     for Group { kind, .. } in &shown.groups {

@@ -1,13 +1,13 @@
-//! The kinds of lines of a Campbell diagram: colour, dash and words of each.
+//! The kinds of lines of a Campbell diagram: colour, dash pattern and legend text of each.
 
 use towermodes::turbine::{BladeMotion, Harmonic, TurbinePart};
 use towermodes_analysis::resonance::{Excited, FrequencyLine};
 
 use crate::svg::{Colour, Dash, Marker, Stroke};
 
-/// The colour of the tower's modes.
+/// The colour of tower modes.
 const TOWER: Colour = Colour::Series(0);
-/// The colour of the blade's modes.
+/// The colour of blade modes.
 const BLADE: Colour = Colour::Series(1);
 
 /// A kind of line.
@@ -15,7 +15,7 @@ const BLADE: Colour = Colour::Series(1);
 pub(super) enum Kind {
     /// A mode of a tower with a rigid rotor.
     Tower,
-    /// A mode of a blade alone.
+    /// A mode of a single blade.
     Blade,
     /// A mode of a whole turbine.
     Turbine(TurbinePart),
@@ -30,7 +30,7 @@ impl Kind {
         }
     }
 
-    /// How its lines are drawn. Whirl modes of one motion have one colour, the backward ones are
+    /// The stroke of its lines. Whirl modes of one motion have one colour, the backward ones are
     /// dashed.
     pub(super) fn stroke(self) -> Stroke {
         match self {
@@ -52,12 +52,12 @@ impl Kind {
         }
     }
 
-    /// The mark on its lines, if they have one.
+    /// The marker on its lines, if they have one.
     pub(super) fn marker(self) -> Option<(Marker, Colour)> {
         (self == Self::Blade).then_some((Marker::Disc, BLADE))
     }
 
-    /// Its words in the legend; kinds that are drawn alike have the same.
+    /// Its text in the legend; kinds with the same style have the same text.
     pub(super) fn words(self) -> String {
         match self {
             Self::Tower => "tower mode".to_owned(),
@@ -115,8 +115,8 @@ fn follow(harmonic: Harmonic) -> &'static str {
 mod tests {
     use super::*;
 
-    /// One colour for a whirl pair, another for another motion; the dash tells backward from
-    /// forward.
+    /// A whirl pair has one colour, and other motions have other colours; the dash pattern
+    /// distinguishes backward from forward.
     #[test]
     fn whirl_pairs_have_one_colour() {
         let stroke =

@@ -1,4 +1,4 @@
-//! The places of the fields of a Campbell diagram and the labels beside them.
+//! The positions of the fields of a Campbell diagram and the labels beside them.
 
 use towermodes_analysis::resonance::Campbell;
 
@@ -10,20 +10,21 @@ use super::above::{above_text, unresisted_text};
 use super::lines::{Group, Shown};
 use super::rays::{self, Labelled, end_hz};
 
-/// Height of the field, of the lower one of two, and the least and most of the upper one.
+/// Height of a single field, of the lower one of two fields, and the smallest and largest height of
+/// the upper one.
 const ALONE: f64 = 400.0;
 const LOWER: f64 = 340.0;
 const UPPER: [f64; 2] = [130.0, 240.0];
-/// Between two fields.
+/// Distance between two fields.
 const BETWEEN: f64 = 14.0;
-/// Above the fields: the operating speeds, and excitations that end there.
+/// Room above the fields for the operating speeds, and for excitations that end there.
 const TOP: f64 = 52.0;
 /// The approximate number of numbers along an axis.
 pub(super) const TICKS: usize = 8;
 /// Size of the texts beside the fields.
 pub(super) const SIZE: f64 = 11.0;
 
-/// The labels beside a field.
+/// The labels to the right of a field.
 pub(super) struct Labels<'a> {
     groups: Vec<&'a Group>,
     multiples: Vec<usize>,
@@ -33,11 +34,11 @@ pub(super) struct Labels<'a> {
 pub(super) struct Layout<'a> {
     /// The axes of the fields, from the lowest.
     pub(super) fields: Vec<Axes>,
-    /// The labels beside each.
+    /// The labels beside each field.
     pub(super) labels: Vec<Labels<'a>>,
     /// The multiples whose rays end at the top and have a label there.
     pub(super) above: Vec<usize>,
-    /// The texts on modes above and below the fields.
+    /// The texts about modes above and below the fields.
     pub(super) aside: [Option<String>; 2],
 }
 
@@ -73,7 +74,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// How many lines of modes, and how many excitations, have no label.
+    /// The number of lines of modes, and of excitations, without label.
     pub(super) fn without_label(&self, shown: &Shown) -> [usize; 2] {
         let groups: usize = self.labels.iter().map(|labels| labels.groups.len()).sum();
         let right: usize = self
@@ -117,7 +118,7 @@ fn count(labels: &Labels<'_>) -> usize {
     labels.groups.len() + labels.multiples.len()
 }
 
-/// The axes of a field, counted from the lowest: where it ends the next begins.
+/// The axes of a field, counted from the lowest field: each field begins where the one below ends.
 fn axes(frame: Frame, index: usize, shown: &Shown) -> Axes {
     let end = |index: Option<usize>| index.and_then(|index| shown.ends_hz.get(index).copied());
     let from_hz = end(index.checked_sub(1)).unwrap_or(0.0);
@@ -130,7 +131,7 @@ fn axes(frame: Frame, index: usize, shown: &Shown) -> Axes {
     )
 }
 
-/// From the field to the text on modes outside it.
+/// Distance from the field to the text about modes outside it.
 pub(super) const ASIDE: f64 = 20.0;
 
 fn aside_width(aside: &[Option<String>; 2]) -> f64 {
@@ -139,7 +140,7 @@ fn aside_width(aside: &[Option<String>; 2]) -> f64 {
     widths.fold(0.0, f64::max)
 }
 
-/// The labels beside each field, as many as it has room for.
+/// The labels beside each field, as many as fit.
 fn labels<'a>(campbell: &Campbell, shown: &'a Shown, width: f64) -> Vec<Labels<'a>> {
     let right = Labelled::new(campbell, shown, width).right;
     let of_field = |field: usize| {
@@ -163,7 +164,7 @@ fn labels<'a>(campbell: &Campbell, shown: &'a Shown, width: f64) -> Vec<Labels<'
     (0..shown.ends_hz.len()).map(of_field).collect()
 }
 
-/// So many groups: all, or those with a FAIL or WARN and the lowest of the others.
+/// This number of groups: all, or those with FAIL or WARN and the lowest of the others.
 fn foremost<'a>(campbell: &Campbell, mut groups: Vec<&'a Group>, most: usize) -> Vec<&'a Group> {
     let rank = |group: &&Group| {
         let own = campbell.margins.iter();

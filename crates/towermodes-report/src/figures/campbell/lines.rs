@@ -6,7 +6,7 @@ use super::extent::{ends_hz, last_rpm};
 use super::kind::Kind;
 use crate::number::four_digits;
 
-/// The largest number of excitations: more would be a grey surface.
+/// The largest number of excitations, because more would look like a grey area.
 const EXCITATIONS: usize = 100;
 /// Tower lines closer than this relative distance look like one line and have one label.
 const ONE_LINE: f64 = 1e-3;
@@ -20,15 +20,15 @@ pub(super) struct Shown {
     pub(super) last_rpm: f64,
     /// The frequencies at which the fields end, Hz, from the lowest: one or two.
     pub(super) ends_hz: Vec<f64>,
-    /// The multiples; of very many the lowest.
+    /// The multiples; if there are very many, the lowest.
     pub(super) multiples: Vec<usize>,
-    /// How many multiples are not drawn.
+    /// Number of multiples that are not drawn.
     pub(super) more_multiples: usize,
-    /// Lines of modes, those of the tower with one frequency together.
+    /// Lines of modes; tower lines with the same frequency are one group.
     pub(super) groups: Vec<Group>,
     /// The lines above the upper end.
     pub(super) above: Vec<usize>,
-    /// How many lines are not drawn because their frequency is 0, or no number.
+    /// Number of lines that are not drawn because their frequency is 0 or NaN.
     pub(super) unresisted: usize,
     /// Where curves of a turbine change their names: rotor speed (rpm) and frequency (Hz).
     pub(super) changes: Vec<[f64; 2]>,
@@ -40,7 +40,8 @@ impl Shown {
         self.ends_hz.last().copied().unwrap_or(1.0)
     }
 
-    /// The field of a frequency, counted from the lowest; frequencies above all are in the last.
+    /// The field of a frequency, counted from the lowest field; the last field for higher
+    /// frequencies.
     pub(super) fn field_of(&self, hz: f64) -> usize {
         let below = self.ends_hz.iter().filter(|end_hz| **end_hz < hz).count();
         below.min(self.ends_hz.len().saturating_sub(1))
@@ -56,20 +57,20 @@ impl Shown {
     }
 }
 
-/// Coinciding lines.
+/// Lines that coincide.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Group {
-    /// Which lines of the diagram.
+    /// The indices of its lines in the diagram.
     pub(super) members: Vec<usize>,
-    /// Their label with the frequency.
+    /// Their common label with the frequency.
     pub(super) label: String,
     /// Their kind.
     pub(super) kind: Kind,
     /// Rotor speed (rpm) and frequency (Hz).
     pub(super) points: Vec<[f64; 2]>,
-    /// Whether its curve goes on in another line.
+    /// Whether its curve continues in another line.
     pub(super) goes_on: bool,
-    /// Whether it does so under another name.
+    /// Whether the continuation has another name.
     pub(super) is_renamed: bool,
 }
 
@@ -81,7 +82,7 @@ impl Group {
     }
 }
 
-/// Chooses the drawn lines and excitations.
+/// Selects the drawn lines and excitations.
 pub(super) fn shown(campbell: &Campbell) -> Shown {
     let last_rpm = last_rpm(campbell);
     let multiples: Vec<usize> = campbell
@@ -118,7 +119,8 @@ pub(super) fn shown(campbell: &Campbell) -> Shown {
     }
 }
 
-/// The lines; coinciding lines of a tower with a rigid rotor, which are level, form one group.
+/// The groups of lines; coinciding lines of a tower with a rigid rotor, which are horizontal, form
+/// one group.
 fn groups(campbell: &Campbell) -> Vec<Group> {
     let first_hz = |line: &FrequencyLine| line.points.first().map_or(f64::NAN, |[_, hz]| *hz);
     let are_one = |a: &FrequencyLine, b: &FrequencyLine| {
@@ -150,7 +152,7 @@ fn groups(campbell: &Campbell) -> Vec<Group> {
     groups.into_iter().map(group).collect()
 }
 
-/// The line in which the curve of a line of a turbine goes on at higher speeds.
+/// The line in which the curve of a turbine line continues at higher speeds.
 fn next<'a>(campbell: &'a Campbell, line: &FrequencyLine) -> Option<&'a FrequencyLine> {
     let Excited::Turbine { curve, .. } = line.of else {
         return None;
@@ -218,8 +220,8 @@ fn range_hz(points: &[[f64; 2]]) -> String {
 mod tests {
     use super::{together, together_hz};
 
-    /// Frequencies on both sides of a rounding limit are one number; those that differ in the
-    /// fourth digit are two.
+    /// Frequencies on both sides of a rounding limit are shown as one number; frequencies that
+    /// differ in the fourth digit are shown as two.
     #[test]
     fn frequencies_of_one_line_are_told_apart_or_said_once() {
         assert_eq!(together_hz(&[0.242_48, 0.242_51]), "0.2425 Hz");

@@ -1,4 +1,4 @@
-//! The marks of pairs that fail or warn; coinciding marks are counted.
+//! The marks of pairs with FAIL or WARN; coinciding marks are counted.
 
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{Campbell, Margin};
@@ -6,23 +6,23 @@ use towermodes_analysis::resonance::{Campbell, Margin};
 use super::lines::Shown;
 use crate::svg::{Anchor, Axes, Colour, Drawing, Marker, TextStyle, text_width};
 
-/// From the middle of a mark to its edge.
+/// Distance from the middle of a mark to its edge.
 const RADIUS: f64 = 6.0;
-/// Radius of the background under a mark, so that lines do not change its form.
+/// Radius of the background under a mark, so that lines do not alter its outline.
 const PAPER: f64 = 8.0;
 /// Size of the number above a mark.
 const SIZE: f64 = 9.5;
-/// From the middle of a mark to the foot of its number.
+/// Distance from the middle of a mark to the baseline of its number.
 const RISE: f64 = 9.0;
 
-/// Coinciding marks.
+/// Marks that coincide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cluster {
-    /// The sum of their places.
+    /// The sum of the positions of its pairs.
     sum: (f64, f64),
-    /// How many pairs fail.
+    /// Number of pairs with FAIL.
     fails: usize,
-    /// How many warn.
+    /// Number of pairs with WARN.
     warns: usize,
 }
 
@@ -44,13 +44,13 @@ impl Cluster {
         }
     }
 
-    /// The middle of its places.
+    /// The mean position of its pairs.
     fn place(&self) -> (f64, f64) {
         let count = (self.fails + self.warns) as f64;
         (self.sum.0 / count, self.sum.1 / count)
     }
 
-    /// Its marks from left to right: kind, count and place.
+    /// Its marks from left to right: kind, count and position.
     fn marks(&self) -> Vec<(Marker, Colour, usize, (f64, f64))> {
         let (x, y) = self.place();
         let both = self.fails > 0 && self.warns > 0;
@@ -61,7 +61,7 @@ impl Cluster {
         marks.filter(|(_, _, count, _)| *count > 0).collect()
     }
 
-    /// From its cross to its triangle: the numbers above must not touch.
+    /// Distance from its cross to its triangle: the numbers above them must not touch.
     fn apart(&self) -> f64 {
         let half = |count| 0.5 * number_width(count);
         (half(self.fails) + half(self.warns) + 3.0).max(2.0 * PAPER)
@@ -72,7 +72,7 @@ impl Cluster {
         self.fails > 1 || self.warns > 1
     }
 
-    /// Half its width, how far it reaches up, and down.
+    /// Half of its width, and its extent upwards and downwards.
     fn reach(&self) -> [f64; 3] {
         let marks = self.marks();
         let x = self.place().0;
@@ -126,7 +126,7 @@ pub(super) fn clusters(
     apart(pairs.filter_map(of_pair))
 }
 
-/// Joins touching marks until none touch.
+/// Combines touching marks until none touch.
 fn apart(pairs: impl Iterator<Item = Cluster>) -> Vec<Cluster> {
     let mut clusters: Vec<Cluster> = Vec::new();
     for pair in pairs {

@@ -30,7 +30,7 @@ pub fn campbell(campbell: &Campbell) -> Figure {
     with_conclusion(campbell, campbell_beside_conclusion(campbell))
 }
 
-/// The same for a place that states the conclusion itself.
+/// As [`campbell`], for a place where the conclusion is stated separately.
 pub fn campbell_beside_conclusion(campbell: &Campbell) -> Figure {
     let shown = shown(campbell);
     Figure {
@@ -56,7 +56,8 @@ pub fn coupled_campbell(coupled: &CoupledCampbell) -> Figure {
     }
 }
 
-/// The same for a place that states the conclusion and the certificate itself.
+/// As [`coupled_campbell`], for a place where the conclusion and the certificate are stated
+/// separately.
 pub fn coupled_campbell_beside_conclusion(coupled: &CoupledCampbell) -> Figure {
     Figure {
         title: "Campbell diagram of the operating turbine: natural frequencies and excitations against rotor speed"

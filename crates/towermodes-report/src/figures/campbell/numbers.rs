@@ -1,15 +1,15 @@
-//! The numbers of a Campbell diagram: a row for each rotor speed, a column for each mode.
+//! The data of a Campbell diagram: a row for each rotor speed, a column for each mode.
 
 use towermodes::tower::Rpm;
 use towermodes_analysis::resonance::{Campbell, FrequencyLine};
 
 use crate::svg::DataTable;
 
-/// The largest number of excitations with a column; any other is a multiple of the first.
+/// The largest number of excitations with a column; all others are multiples of the first.
 const EXCITATIONS: usize = 12;
 
-/// The frequencies at each rotor speed: modes, then excitations. Where a mode takes the name of
-/// another, the cell has the frequencies of both.
+/// The frequencies at each rotor speed: modes, then excitations. Where a mode takes over the name
+/// of another one, the cell contains the frequencies of both.
 pub(super) fn table(campbell: &Campbell) -> DataTable {
     let mut modes = campbell.lines_by_mode();
     modes.retain(|lines| lines.iter().any(|line| !line.points.is_empty()));
@@ -30,7 +30,7 @@ pub(super) fn table(campbell: &Campbell) -> DataTable {
     }
 }
 
-/// The rotor speeds of the points, and those at the ends of operation, rpm.
+/// The rotor speeds of the points, and those at the ends of the operating range, rpm.
 fn speeds(campbell: &Campbell) -> Vec<f64> {
     let lines = campbell.lines.iter().filter(|line| !is_level(line));
     let points = lines.flat_map(|line| line.points.iter().map(|[rpm, _]| *rpm));
@@ -48,7 +48,8 @@ fn is_level(line: &FrequencyLine) -> bool {
     line.points.windows(2).all(|pair| pair[0][1] == pair[1][1])
 }
 
-/// The frequency of a mode at a speed; both where its lines meet; empty where it has none.
+/// The frequency of a mode at a speed; two frequencies where two of its lines join; empty if it has
+/// none.
 fn at(lines: &[&FrequencyLine], rpm: f64) -> String {
     let of_line = |line: &&FrequencyLine| {
         let mut points = line.points.iter();

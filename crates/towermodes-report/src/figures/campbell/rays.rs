@@ -1,4 +1,4 @@
-//! The excitations of a Campbell diagram: one ray each, and as many labels as there is room for.
+//! The excitations of a Campbell diagram: one ray each, and as many labels as fit.
 
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::Campbell;
@@ -8,11 +8,11 @@ use crate::svg::{Anchor, Axes, Colour, Drawing, Stroke, TextStyle, spread, text_
 
 /// Size of the labels.
 const SIZE: f64 = 11.0;
-/// Between two labels.
+/// Distance between two labels.
 const BETWEEN: f64 = 8.0;
-/// More rays than this are thinner.
+/// If there are more rays than this, they are thinner.
 const MANY: usize = 12;
-/// Labels of rays that end at the right, beside those of the modes.
+/// Largest number of labels of rays that end at the right, beside the labels of the modes.
 const MOST_AT_RIGHT: usize = 10;
 
 /// The frequency of a multiple at the right end, Hz.
@@ -65,7 +65,7 @@ pub(super) struct Labelled {
 }
 
 impl Labelled {
-    /// As many as a field so wide has room for.
+    /// As many labels as fit a field of this width.
     pub(super) fn new(campbell: &Campbell, shown: &Shown, width: f64) -> Self {
         let is_right = |multiple: &usize| end_hz(*multiple, shown) <= shown.highest_hz();
         let (right, above): (Vec<usize>, Vec<usize>) =
@@ -78,8 +78,8 @@ impl Labelled {
     }
 }
 
-/// So many of the multiples: 1P, the blade passing frequency and those that fail, and an even
-/// selection of the others.
+/// This number of multiples: 1P, the blade passing frequency and those that fail, and an evenly
+/// spaced selection of the others.
 fn foremost(campbell: &Campbell, multiples: Vec<usize>, most: usize) -> Vec<usize> {
     if multiples.len() <= most {
         return multiples;

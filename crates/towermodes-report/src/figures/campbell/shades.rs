@@ -9,16 +9,16 @@ use crate::svg::{Axes, Colour, Dash, Drawing, Stroke, TextStyle, text_width};
 
 /// The width of the band and of the margins for a rotor of one speed.
 const NARROWEST: f64 = 8.0;
-/// Size of the name of the window.
+/// Size of the text that names the soft-stiff range.
 const SIZE: f64 = 11.0;
-/// Around that name.
+/// Distance around that text.
 const AROUND: f64 = 4.0;
-/// From the operating band to that name: marks on its border extend so far.
+/// Distance from the operating band to that text: marks on the border of the band extend this far.
 const FROM_BAND: f64 = 26.0;
 
-/// The soft-stiff range outside of the margin, Hz: the frequencies above 1P at the highest speed
-/// and below the blade passing frequency at the lowest that do not fail with them; none if these
-/// ranges overlap, and where nothing is checked.
+/// The soft-stiff range without the margins, Hz: the frequencies above 1P at the highest speed and
+/// below the blade passing frequency at the lowest speed that do not fail with these; none if these
+/// ranges overlap, and if nothing is checked.
 pub(super) fn window_hz(campbell: &Campbell) -> Option<[f64; 2]> {
     if !campbell.not_checked.is_empty() {
         return None;
@@ -29,7 +29,7 @@ pub(super) fn window_hz(campbell: &Campbell) -> Option<[f64; 2]> {
     (from_hz < to_hz).then_some([from_hz, to_hz])
 }
 
-/// The places of the lowest and the highest operating speed.
+/// The positions of the lowest and the highest operating speed.
 pub(super) fn operation_places(campbell: &Campbell, axes: &Axes) -> [f64; 2] {
     [campbell.rotor.lowest_rpm, campbell.rotor.highest_rpm].map(|rpm| axes.x.at(rpm))
 }
@@ -41,12 +41,12 @@ fn band_edges(campbell: &Campbell, axes: &Axes) -> [f64; 2] {
     [from - more, to + more]
 }
 
-/// How the window's borders are drawn.
+/// The stroke of the borders of the soft-stiff range.
 pub(super) fn window_edge() -> Stroke {
     Stroke::new(Colour::Pass, 0.9).dashed(Dash::Long)
 }
 
-/// How the borders of the margin and of twice the margin are drawn.
+/// The stroke of the borders of the margin and of twice the margin.
 pub(super) fn ribbon_edge(is_margin: bool) -> Stroke {
     match is_margin {
         true => Stroke::new(Colour::Fail, 0.9),
@@ -81,8 +81,8 @@ pub(super) fn draw(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, ax
     }
 }
 
-/// Around the ray of a multiple, in operation: the frequencies whose distance |d| is below the
-/// margin, or below twice the margin.
+/// Draws the area around the ray of a multiple, in operation, in which the distance |d| is below
+/// the margin, or below twice the margin.
 fn ribbon(
     drawing: &mut Drawing,
     campbell: &Campbell,

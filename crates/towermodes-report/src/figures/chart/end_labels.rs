@@ -1,4 +1,4 @@
-//! Labels in a column beside the ends of lines, moved apart, with a leader to each.
+//! Labels in a column to the right of the ends of lines, moved apart, each with a leader.
 
 use crate::svg::{Colour, Drawing, Marker, Stroke, TextStyle, broken, spread, text_width};
 
@@ -6,19 +6,19 @@ use crate::svg::{Colour, Drawing, Marker, Stroke, TextStyle, broken, spread, tex
 const SIZE: f64 = 11.0;
 /// Distance from label to label.
 pub(in crate::figures) const GAP: f64 = 14.0;
-/// From the field to a label, the leader between them.
+/// Length of the leader, from the field to a label.
 const LEADER: f64 = 22.0;
 /// Width of a marker before a label.
 const MARKER: f64 = 14.0;
-/// Between the labels and the edge of the picture.
+/// Distance between the labels and the edge of the picture.
 const MARGIN: f64 = 10.0;
-/// Longer labels are cut.
+/// Wider labels are cut.
 const WIDEST: f64 = 270.0;
 
 /// The label at the end of a line.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::figures) struct EndLabel {
-    /// Where the line ends.
+    /// The height at which the line ends.
     pub(in crate::figures) y: f64,
     /// Its text.
     pub(in crate::figures) text: String,

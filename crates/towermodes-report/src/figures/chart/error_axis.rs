@@ -77,7 +77,7 @@ impl ErrorAxis {
     }
 }
 
-/// An error as tables have it: "+1.2e-4".
+/// An error in the format of the tables: "+1.2e-4".
 pub(in crate::figures) fn signed(error: f64) -> String {
     if error == 0.0 {
         "0".to_owned()

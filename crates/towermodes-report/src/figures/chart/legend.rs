@@ -7,24 +7,24 @@ use crate::svg::{Colour, Drawing, Frame, LINE_HEIGHT, Marker, Stroke, TextStyle,
 const SIZE: f64 = 11.0;
 /// Length of a sample of a line.
 const LINE: f64 = 28.0;
-/// Room of a sample of a marker alone.
+/// Width of the sample of a marker without line.
 const MARKER: f64 = 12.0;
-/// From a sample to its text.
+/// Distance from a sample to its text.
 const SPACE: f64 = 6.0;
-/// From an entry to the next.
+/// Distance from an entry to the next.
 const BETWEEN: f64 = 22.0;
 
-/// Below a legend at the foot of a sheet.
+/// Room below a legend at the lower end of a sheet.
 const FOOT: f64 = 6.0;
 
-/// The sample of an entry; an entry of words alone has no line, marker or surface.
+/// The sample of an entry; an entry with only a text has no line, marker or area.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(in crate::figures) struct Sample {
-    /// As a line.
+    /// The stroke of a line.
     pub(in crate::figures) line: Option<Stroke>,
-    /// With a marker.
+    /// The marker.
     pub(in crate::figures) marker: Option<(Marker, Colour)>,
-    /// As a surface, with the stroke of its edges.
+    /// The colour of an area, with the stroke of its edges.
     pub(in crate::figures) surface: Option<(Colour, Stroke)>,
 }
 
@@ -53,7 +53,7 @@ impl Sample {
         }
     }
 
-    /// From the beginning of an entry to its text.
+    /// Distance from the beginning of an entry to its text.
     fn indent(&self) -> f64 {
         match self.width() {
             0.0 => 0.0,
@@ -95,7 +95,7 @@ impl From<(Colour, Stroke)> for Sample {
 /// An entry: its sample and its text.
 pub(in crate::figures) type Entry = (Sample, String);
 
-/// An entry of words alone.
+/// An entry with only a text.
 pub(in crate::figures) fn words(text: String) -> Entry {
     (Sample::default(), text)
 }
@@ -127,7 +127,7 @@ fn rows(entries: &[Entry], room: f64) -> Vec<Vec<&Entry>> {
 /// The height of a row.
 const ROW: f64 = 1.2 * LINE_HEIGHT * SIZE;
 
-/// A legend below and to the right of a point, of a width.
+/// A legend of a given width, below and to the right of a point.
 pub(in crate::figures) struct Legend {
     pub(in crate::figures) left_top: (f64, f64),
     pub(in crate::figures) room: f64,
@@ -135,7 +135,7 @@ pub(in crate::figures) struct Legend {
 }
 
 impl Legend {
-    /// A legend whose upper edge is at a height, below a field and as wide as that.
+    /// A legend whose upper edge is at a height, below a field and of the same width.
     pub(in crate::figures) fn below(frame: &Frame, top: f64, entries: Vec<Entry>) -> Self {
         Self {
             left_top: (frame.left, top),

@@ -1,4 +1,4 @@
-//! One chart: a field with two axes, bands behind, and lines with markers and a label at the end of
+//! One chart: a field with two axes, shaded bands, and lines with markers and a label at the end of
 //! each.
 
 pub(super) mod end_labels;
@@ -15,11 +15,11 @@ use towermodes::number::Plain;
 
 /// Width of the sheet.
 pub(super) const WIDTH: f64 = 900.0;
-/// Above the field without a title, and with one.
+/// Room above the field without a title, and with one.
 const ABOVE: [f64; 2] = [18.0, 30.0];
-/// Below the field: numbers and name of the axis.
+/// Room below the field for the numbers and the name of the axis.
 const BELOW: f64 = 46.0;
-/// Markers are drawn on lines with at most so many points.
+/// Markers are drawn on lines with at most this number of points.
 const MARKED: usize = 24;
 /// Size of the note and of the names of bands.
 const SIZE: f64 = 11.0;
@@ -27,16 +27,16 @@ const SIZE: f64 = 11.0;
 /// A chart on a sheet of [`WIDTH`]; default values are parts that it does not have.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Chart {
-    /// Above the field.
+    /// The title above the field.
     pub title: Option<String>,
     pub x: Axis,
     pub y: Axis,
-    /// Drawn first, so that the lines are above it.
+    /// The shaded bands, which are drawn first so that the lines are visible.
     pub bands: Vec<Band>,
-    /// The observed orders, which a triangle in a corner of logarithmic axes shows.
+    /// The observed orders; a triangle in a corner of logarithmic axes shows them.
     pub orders: Vec<f64>,
     pub series: Vec<Series>,
-    /// Below the labels.
+    /// The note below the labels.
     pub note: Option<String>,
 }
 
@@ -62,10 +62,10 @@ pub(super) struct Axis {
 /// A line through points.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Series {
-    /// Its place in the order of colours, dashes and markers.
+    /// Its index in the order of colours, dash patterns and markers.
     pub index: usize,
     pub label: String,
-    /// x and y; where y is NaN the line is interrupted.
+    /// x and y; the line is interrupted where y is NaN.
     pub points: Vec<[f64; 2]>,
 }
 
@@ -92,7 +92,7 @@ impl Axis {
 }
 
 impl Chart {
-    /// The chart alone on a sheet.
+    /// The chart on a sheet of its own.
     pub fn drawing(&self, height: f64) -> Drawing {
         let mut drawing = Drawing::new(WIDTH, height);
         self.draw(&mut drawing, [0.0, height]);
@@ -169,7 +169,7 @@ impl Chart {
 }
 
 impl Series {
-    /// The points with a value.
+    /// The points whose y is finite.
     pub fn finite(&self) -> impl DoubleEndedIterator<Item = [f64; 2]> {
         self.points.iter().copied().filter(|[_, y]| y.is_finite())
     }
@@ -184,7 +184,7 @@ impl Series {
     }
 }
 
-/// A number of a table; empty if there is none.
+/// A number of a table; empty for NaN.
 pub(super) fn six_decimals(value: f64) -> String {
     match value.is_finite() {
         true => format!("{value:.6}"),
@@ -211,7 +211,7 @@ pub(super) fn draw_title(drawing: &mut Drawing, title: Option<&str>, frame: &Fra
 }
 
 impl Band {
-    /// The part that is in the field.
+    /// The part of the band that is in the field.
     fn within(&self, axes: &Axes) -> Option<[f64; 2]> {
         let [low, high] = self.range;
         let (low, high) = (low.max(axes.y.low), high.min(axes.y.high));
@@ -233,7 +233,7 @@ impl Band {
         }
     }
 
-    /// Writes the name at the edge of the band, without the lines of the grid behind it.
+    /// Writes the name at the edge of the band, on a background that hides the grid.
     fn write_name(&self, drawing: &mut Drawing, axes: &Axes) {
         let Some([top, bottom]) = self.within(axes) else {
             return;
@@ -249,8 +249,8 @@ impl Band {
     }
 }
 
-/// From the smallest to the largest value, with a share of the difference on both sides; never
-/// empty.
+/// From the smallest to the largest value, extended by a share of the difference on both sides;
+/// never empty.
 pub(super) fn range(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
     let Some([low, high]) = extent(values) else {
         return [0.0, 1.0];

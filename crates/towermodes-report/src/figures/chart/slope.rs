@@ -6,15 +6,15 @@ use crate::svg::{Anchor, Axes, Colour, Drawing, Stroke, TextStyle, power_of_ten,
 const ORDERS: [i32; 3] = [1, 2, 4];
 /// An order is shown if the observed one differs by less than this.
 const NEAR: f64 = 0.25;
-/// Between the triangle and the edges of the field.
+/// Distance from the triangle to the edges of the field.
 const AWAY: f64 = 16.0;
-/// The largest fraction of the width and the height of the field that it takes.
+/// The largest fraction of the width and the height of the field that the triangle takes.
 const SHARE: f64 = 0.3;
 /// Size of its letters.
 const SIZE: f64 = 11.0;
 
-/// Draws the slope of the order that most modes have, in the lower left corner, where falling lines
-/// are high above; nothing without such an order, or if lines pass there.
+/// Draws the slope of the most frequent order in the lower left corner, which decreasing lines
+/// leave free; nothing if there is no such order, or if lines pass there.
 pub(super) fn draw(drawing: &mut Drawing, axes: &Axes, orders: &[f64], lines: &[Vec<(f64, f64)>]) {
     let Some(order) = most(orders) else { return };
     let text = format!(
@@ -60,7 +60,7 @@ fn size(axes: &Axes, order: i32) -> [f64; 2] {
     [width, width * steepness]
 }
 
-/// The order that most are near to.
+/// The order that is closest for most modes.
 fn most(orders: &[f64]) -> Option<i32> {
     let is_near = |own: &&f64, order: i32| (*own - f64::from(order)).abs() < NEAR;
     let near = |order: i32| orders.iter().filter(|own| is_near(own, order)).count();

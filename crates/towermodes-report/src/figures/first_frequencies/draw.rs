@@ -1,4 +1,4 @@
-//! Draws the bar: shaded ranges, and a lane for each mode with its distances.
+//! Draws the bar: shaded ranges, and a row for each mode with its distances.
 
 use towermodes_analysis::Verdict;
 
@@ -13,11 +13,11 @@ use crate::svg::{
 };
 use crate::wording::verdict_word;
 
-/// Height of a mode's lane.
+/// Height of the row of a mode.
 const LANE: f64 = 66.0;
 /// Room above the field for the names of the ranges.
 const ABOVE: f64 = 32.0;
-/// Room below it for its axis and the explanation.
+/// Room below the field for its axis and the explanation.
 const BELOW: f64 = 66.0;
 /// Room for the verdicts on the right.
 const VERDICTS: f64 = 62.0;
@@ -25,9 +25,9 @@ const VERDICTS: f64 = 62.0;
 const SIZE: f64 = 12.0;
 /// Size of the explanation.
 const SMALL: f64 = 10.5;
-/// From the middle of a mode's mark to its edge.
+/// Distance from the middle of a mode's mark to its edge.
 const RADIUS: f64 = 6.5;
-/// The axis ends at this multiple of the highest value.
+/// The axis extends to this multiple of the highest value.
 const BEYOND: f64 = 1.06;
 
 /// The picture of a bar.
@@ -60,7 +60,8 @@ fn axes(bar: &Bar, height: f64) -> Axes {
     Axes::new(frame, [0.0, BEYOND * highest_hz], [0.0, 1.0], [false; 2])
 }
 
-/// Shades the range with the margin, darker the range in operation, and names each range above.
+/// Shades the ranges, the range with margin lighter and the range in operation darker, and names
+/// each range above.
 fn draw_ranges(drawing: &mut Drawing, axes: &Axes, ranges: &[Range]) {
     let Frame { top, bottom, .. } = axes.frame;
     let shade = |drawing: &mut Drawing, [low, high]: [f64; 2], fill, edge: &Stroke| {
@@ -103,7 +104,8 @@ fn range_name(range: &Range) -> String {
     }
 }
 
-/// Places for the middles of texts near the wished ones, without overlaps and within the frame.
+/// Positions for the middles of texts near the desired positions, without overlaps and within the
+/// frame.
 fn beside(
     texts: &[String],
     wished: &[f64],
@@ -115,8 +117,8 @@ fn beside(
     spread(wished, widest + 10.0, range)
 }
 
-/// The label, mark, distances and verdict of a mode; `place` is its number and the middle of its
-/// lane.
+/// Draws the label, mark, distances and verdict of a mode; `place` is its number and the middle of
+/// its row.
 fn draw_lane(drawing: &mut Drawing, axes: &Axes, lane: &Lane, place: (usize, f64)) {
     let (index, y) = place;
     let Frame { left, right, .. } = axes.frame;
@@ -155,14 +157,14 @@ fn colour(verdict: Verdict) -> Colour {
     }
 }
 
-/// From the mode to the closest excitation in operation.
+/// Draws the line from the mode to the closest excitation in operation.
 fn draw_distance(drawing: &mut Drawing, (x, y): (f64, f64), end: f64) {
     let line = Stroke::new(Colour::Ink, 1.3);
     drawing.line((x, y), (end, y), &line);
     drawing.line((end, y - 7.0), (end, y + 7.0), &line);
 }
 
-/// The range of the error, where it is wider than the mark.
+/// Draws the range of the error, if it is wider than the mark.
 fn draw_error(drawing: &mut Drawing, axes: &Axes, lane: &Lane, y: f64) {
     let ends = [-1.0, 1.0].map(|side| {
         axes.x
@@ -182,7 +184,7 @@ fn write_frequency(drawing: &mut Drawing, axes: &Axes, lane: &Lane, (x, y): (f64
     }
 }
 
-/// Each distance in percent below the middle of its line.
+/// Writes each distance in percent below the middle of its line.
 fn write_distances(drawing: &mut Drawing, axes: &Axes, lane: &Lane, (x, y): (f64, f64)) {
     let texts: Vec<String> = lane.distances().map(distance).collect();
     let middles = lane.margins.iter();
@@ -197,7 +199,7 @@ fn write_distances(drawing: &mut Drawing, axes: &Axes, lane: &Lane, (x, y): (f64
     }
 }
 
-/// Writes a text, anchored in its middle, on a strip of paper that hides the lines behind it.
+/// Writes a text, anchored in its middle, on a background that hides the lines behind it.
 fn write_on_paper(drawing: &mut Drawing, (x, y): (f64, f64), text: &str, style: &TextStyle) {
     let width = text_width(text, style.size, style.is_bold) + 4.0;
     let left_top = (x - 0.5 * width, y - 0.9 * style.size);

@@ -14,10 +14,10 @@ const NAME: &str = "first-frequencies";
 
 /// The first fore-aft and side-side frequencies of a tower (or the lowest coupled ones) on a
 /// frequency axis, with their distance from the rotor speed (1P) and the blade passing frequency.
-/// The ranges of both in operation are shaded, and around them the required margin. None if there
-/// is neither a mode nor an excitation to show, and where nothing is checked.
+/// The ranges of both in operation are shaded, with the required margin around them. None if there
+/// is neither a mode nor an excitation to show, and if nothing is checked.
 ///
-/// With the margin m an excitation from a to b Hz keeps natural frequencies out of a/(1 + m) to
+/// With the margin m, an excitation from a to b Hz excludes natural frequencies from a/(1 + m) to
 /// b/(1 − m): there the distance |d| is below m at some operating speed.
 pub fn first_frequencies(campbell: &Campbell) -> Option<Figure> {
     let (ranges, lanes) = (ranges(campbell), lanes(campbell));
@@ -43,7 +43,7 @@ pub fn first_frequencies(campbell: &Campbell) -> Option<Figure> {
 struct Bar {
     /// The strongest excitations, by frequency.
     ranges: Vec<Range>,
-    /// The modes, each in a lane of its own.
+    /// The modes, each in its own row.
     lanes: Vec<Lane>,
     /// The required margin, a fraction.
     margin: f64,

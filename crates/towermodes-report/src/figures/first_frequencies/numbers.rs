@@ -1,4 +1,4 @@
-//! The bar in words and as a table.
+//! The bar as text and as a table.
 
 use towermodes_analysis::resonance::Margin;
 
@@ -8,7 +8,7 @@ use crate::number::{four_digits, short, typeset};
 use crate::svg::DataTable;
 use crate::wording::verdict_word;
 
-/// The figure in words.
+/// The figure as text.
 pub(super) fn description(bar: &Bar) -> String {
     let ranges: Vec<String> = bar.ranges.iter().map(range_text).collect();
     let lanes: Vec<String> = bar.lanes.iter().map(lane_text).collect();
@@ -71,7 +71,7 @@ pub(super) fn distance((margin, percent): (&Margin, &str)) -> String {
     }
 }
 
-/// Each mode against each excitation.
+/// The distance of each mode from each excitation.
 pub(super) fn table(bar: &Bar) -> DataTable {
     let header = [
         "mode",

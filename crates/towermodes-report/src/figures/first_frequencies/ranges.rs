@@ -1,4 +1,4 @@
-//! The excitations and modes on the bar, and their distance.
+//! The excitations and modes on the bar, and their distances.
 
 use towermodes::Family;
 use towermodes_analysis::Verdict;
@@ -11,7 +11,7 @@ pub(super) struct Range {
     pub multiple: usize,
     /// From the lowest to the highest operating speed, Hz.
     pub operation_hz: [f64; 2],
-    /// The same widened by the margin, Hz.
+    /// This range extended by the margin, Hz.
     pub kept_free_hz: [f64; 2],
 }
 
@@ -38,7 +38,7 @@ impl Lane {
             .zip(self.percents.iter().map(String::as_str))
     }
 
-    /// The worst verdict on the excitations of the bar; none if there is none.
+    /// The worst verdict for the excitations on the bar; none if there is no excitation.
     pub fn verdict(&self) -> Option<Verdict> {
         self.margins.iter().map(|margin| margin.verdict).max()
     }
@@ -66,7 +66,7 @@ pub(super) fn ranges(campbell: &Campbell) -> Vec<Range> {
     multiples.into_iter().map(range).collect()
 }
 
-/// The first fore-aft and side-side modes; of a turbine at its highest operating speed.
+/// The first fore-aft and side-side modes; for a turbine at its highest operating speed.
 pub(super) fn lanes(campbell: &Campbell) -> Vec<Lane> {
     let lines = || campbell.lines.iter().enumerate();
     let is_first_of = |line: &FrequencyLine, wanted: Family| match line.of {

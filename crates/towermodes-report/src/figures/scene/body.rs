@@ -1,4 +1,4 @@
-//! A body of the scene: substance, form and points.
+//! A body of the scene: its substance, its form and its points.
 
 use serde::Serialize;
 
@@ -6,8 +6,8 @@ use serde::Serialize;
 /// stations, m.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Body {
-    /// The height at which it is fixed to the tower axis, m: it moves with the section there. None
-    /// if it does not move.
+    /// The height at which it is attached to the tower axis, m: it moves with the section there.
+    /// None if it does not move.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub follows_m: Option<f64>,
     /// Its substance.
@@ -29,7 +29,7 @@ pub enum Substance {
     Rna,
     /// Hub and blades.
     Rotor,
-    /// A mass of its own.
+    /// A point mass.
     Mass,
     /// A footing, a plate, a platform.
     Foundation,
@@ -49,11 +49,12 @@ pub enum Substance {
 pub enum Form {
     /// The smallest convex body around its points.
     Solid,
-    /// A ball around its only point.
+    /// A ball around its single point.
     Ball,
-    /// A straight line from its first point, which follows the tower, to its second, which does
-    /// not.
+    /// A straight line from its first point, which moves with the tower, to its second point, which
+    /// does not.
     Line,
-    /// The same as a spring.
+    /// A spring from its first point, which moves with the tower, to its second point, which does
+    /// not.
     Spring,
 }

@@ -7,14 +7,14 @@ use super::{Body, FAR, Form, HALF_SIDE, MASS, Substance};
 use crate::figures::lines::lines_at_rest;
 use crate::figures::parts::{Parts, Platform};
 
-/// Length of a spring and least thickness of a footing, as fractions of the tower's height.
+/// Length of a spring and smallest thickness of a footing, as fractions of the tower height.
 const SPRING: f64 = 0.08;
 const FOOTING: f64 = 0.025;
 /// Depth of the soil below a footing, as a fraction of the tower's height.
 const HALF_SPACE: f64 = 0.12;
-/// The deepest pile that is drawn, as a fraction of the tower's height.
+/// Largest depth of a drawn pile, as a fraction of the tower height.
 const DEEPEST: f64 = 0.45;
-/// Where moorings end, as a fraction of the tower's height to the side.
+/// Distance at which nominal moorings end, as a fraction of the tower height.
 const ANCHORS: f64 = 0.45;
 
 /// The bodies of a foundation; none for a clamped base.
@@ -97,7 +97,7 @@ fn in_soil(tower: &Tower, of: Buried) -> Vec<Body> {
     ]
 }
 
-/// Half the width of a nominal hull, and the height of its shoulders, m.
+/// Half of the width of a nominal hull, and the height of its shoulders, m.
 fn hull_size_m(parts: &Parts<'_>, platform: &Platform<'_>) -> [f64; 2] {
     let (base_m, height_m) = (parts.tower.base_m(), parts.tower.height_m());
     let half_m = (1.5 * parts.radius_m(base_m)).clamp(0.03 * height_m, 0.1 * height_m);
@@ -105,7 +105,7 @@ fn hull_size_m(parts: &Parts<'_>, platform: &Platform<'_>) -> [f64; 2] {
     [half_m, base_m - down_m]
 }
 
-/// The corners of a nominal hull, because the input has no shape.
+/// The corners of a nominal hull, because the input contains no shape.
 pub(super) fn hull(parts: &Parts<'_>, platform: &Platform<'_>) -> Vec<[f64; 3]> {
     let base_m = parts.tower.base_m();
     let [half_m, shoulder_m] = hull_size_m(parts, platform);
@@ -142,7 +142,7 @@ fn floating(parts: &Parts<'_>, platform: &Platform<'_>) -> Vec<Body> {
     bodies
 }
 
-/// Three straight lines, because the input has a stiffness alone.
+/// Three straight lines, because the input contains only a stiffness.
 fn nominal_moorings(parts: &Parts<'_>, platform: &Platform<'_>) -> Vec<Body> {
     let (base_m, height_m) = (parts.tower.base_m(), parts.tower.height_m());
     let keel_m = platform.keel_m();

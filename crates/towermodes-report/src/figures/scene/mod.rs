@@ -14,20 +14,19 @@ use super::parts::Parts;
 use crate::number::five_digits;
 use solids::{ball, circle, link};
 
-/// Half the side of soil, water and ground as fractions of the tower's height.
+/// Half of the side of the blocks of soil, water and ground, as a fraction of the tower height.
 const HALF_SIDE: f64 = 0.22;
-/// More masses than this are not drawn: the heaviest stay.
+/// Largest number of drawn masses; the heaviest are drawn.
 const MOST_MASSES: usize = 40;
-/// More sets of wires than this are not drawn.
+/// Largest number of drawn sets of wires.
 const MOST_WIRES: usize = 12;
 /// Radius of the lightest mass and the additional radius of the heaviest, as fractions of the
 /// tower's height.
 const MASS: [f64; 2] = [0.008, 0.012];
-/// Larger heights or distances are not drawn, in heights of the tower.
+/// Heights or distances larger than this multiple of the tower height are not drawn.
 const FAR: f64 = 4.0;
 
-/// The bodies of a description, those behind first: ground, soil, foundation, wires, masses,
-/// RNA, water.
+/// The bodies of a description, in the order ground, soil, foundation, wires, masses, RNA, water.
 ///
 /// The forms are those of the drawing: RNA, platform and blades have no dimensions in a
 /// description and are nominal.
@@ -45,7 +44,7 @@ pub(super) fn scene(description: &TowerDescription, tower: &Tower) -> Vec<Body> 
     bodies
 }
 
-/// The corners of the platform of a floating tower; none of any other.
+/// The corners of the platform of a floating tower; none for other towers.
 pub(super) fn hull(parts: &Parts<'_>) -> Vec<[f64; 3]> {
     let platform = parts.platform();
     platform.map_or_else(Vec::new, |platform| foundation::hull(parts, &platform))
@@ -63,7 +62,7 @@ fn masses(parts: &Parts<'_>) -> Vec<Body> {
     masses.into_iter().map(ball_of).collect()
 }
 
-/// Each set of wires to anchors at equal angles around the tower.
+/// Each set of wires, to anchors at equal angles around the tower.
 fn wires(parts: &Parts<'_>) -> Vec<Body> {
     let ground_m = parts.wires_ground_m();
     let farthest_m = FAR * parts.tower.height_m();
@@ -82,7 +81,7 @@ fn wires(parts: &Parts<'_>) -> Vec<Body> {
     bodies
 }
 
-/// Five significant digits are enough for a picture.
+/// Rounds to five significant digits, which are enough for a picture.
 fn round(body: &mut Body) {
     let numbers = body.points.iter_mut().flatten();
     for value in numbers.chain(&mut body.radius_m).chain(&mut body.follows_m) {

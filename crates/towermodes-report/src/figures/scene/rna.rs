@@ -1,4 +1,4 @@
-//! The rotor-nacelle assembly in space: the silhouette of the drawing given depth, with blades of a
+//! The rotor-nacelle assembly in space: the silhouette of the drawing with a depth, and blades of a
 //! nominal length.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -7,16 +7,17 @@ use super::solids::{ball, circle, solid};
 use super::{Body, FAR, MASS, Substance};
 use crate::figures::parts::{Parts, RnaForm};
 
-/// Length of a blade as a fraction of the tower's height above water or ground; 0.6 to 0.8 for most
-/// turbines.
+/// Length of a blade as a fraction of the tower height above water or ground; for most turbines the
+/// fraction is 0.6 to 0.8.
 const BLADE: f64 = 0.6;
 /// Number of blades if the input does not give it.
 const USUAL_BLADES: usize = 3;
-/// Half the width of the nacelle's unit as fractions of the tower's height.
+/// Range of the unit of length of the nacelle, as fractions of the tower height.
 const UNIT: [f64; 2] = [0.012, 0.035];
-/// The highest nacelle as a fraction of the tower's height.
+/// Largest height of a nacelle as a fraction of the tower height.
 const HIGHEST: f64 = 0.075;
-/// Places along a blade as fractions of its length, and its edges there as fractions of it.
+/// Positions along a blade, and the distances of its edges from its axis there, as fractions of its
+/// length.
 const OUTLINE: [(f64, [f64; 2]); 4] = [
     (0.0, [-0.017, 0.017]),
     (0.2, [-0.02, 0.045]),
@@ -64,7 +65,7 @@ fn nacelle(form: &RnaForm, top_m: f64) -> Body {
     solid(Some(top_m), Substance::Rna, corners.collect())
 }
 
-/// Half an ellipsoid before the nacelle.
+/// Half an ellipsoid upwind of the nacelle.
 fn hub(form: &RnaForm, top_m: f64) -> Body {
     let middle_m = top_m + 0.5 * form.height;
     let slices = (0..4).map(|k| FRAC_PI_2 * f64::from(k) / 3.0);

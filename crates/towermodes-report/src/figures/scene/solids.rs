@@ -7,8 +7,8 @@ use super::body::{Body, Form, Substance};
 /// Number of corners that represent a circle.
 const CORNERS: usize = 24;
 
-/// A block around the tower's axis that does not move, `half_m` to each side, from one height to
-/// another.
+/// A block around the tower axis that does not move, from one height to another, with the half side
+/// `half_m`.
 pub(super) fn block(of: Substance, half_m: f64, [low_m, high_m]: [f64; 2]) -> Body {
     let sides = [-half_m, half_m];
     let corners = sides.into_iter().flat_map(|x| sides.map(|y| (x, y)));
@@ -38,7 +38,7 @@ pub(super) fn circle(corners: usize) -> impl Iterator<Item = (f64, f64)> {
     (0..corners).map(move |k| (angle(k).cos(), angle(k).sin()))
 }
 
-/// A mass that follows the tower's axis at a height.
+/// A point mass that moves with the tower axis at a height.
 pub(super) fn ball(follows_m: f64, center: [f64; 3], radius_m: f64) -> Body {
     Body {
         follows_m: Some(follows_m),
@@ -49,7 +49,7 @@ pub(super) fn ball(follows_m: f64, center: [f64; 3], radius_m: f64) -> Body {
     }
 }
 
-/// From a point that follows the tower's axis at a height to one that does not move.
+/// A link from a point that moves with the tower axis at a height to a point that does not move.
 pub(super) fn link(follows_m: f64, form: Form, ends: [[f64; 3]; 2]) -> Body {
     Body {
         follows_m: Some(follows_m),

@@ -6,23 +6,25 @@ use super::solids::{block, solid};
 use super::{Body, HALF_SIDE, Substance};
 use crate::figures::parts::Parts;
 
-/// Thickness of ground of which only the surface matters, as a fraction of the tower's height.
+/// Thickness of the ground if only its surface matters, as a fraction of the tower height.
 const SLAB: f64 = 0.02;
 /// Depth of water below a platform's keel, as a fraction of the tower's height.
 const BELOW_KEEL: f64 = 0.08;
 /// Half the side of the water around a platform, as a fraction of the tower's height.
 const SEA: f64 = 0.5;
 
-/// Layers that reach deeper below the foot than this fraction of the tower's height are cut.
+/// Layers are cut at this depth below the lower end of the tower, as a fraction of the tower
+/// height.
 const BELOW_FOOT: f64 = 0.1;
 
 /// The largest number of layers of soil.
 const MOST_LAYERS: usize = 12;
 
-/// The half side of a scour hole at most, as a fraction of that of the soil.
+/// Largest half side of a scour hole, as a fraction of the half side of the soil.
 const WIDEST_HOLE: f64 = 0.9;
 
-/// How far ground and water reach beyond a frame, by its distance from the axis.
+/// Distance to which ground and water extend around a frame, as a multiple of the frame's distance
+/// from the axis.
 const BESIDE: f64 = 1.25;
 
 /// The ground: soil with springs, the seabed, or the ground that the tower is clamped to.
@@ -44,7 +46,7 @@ pub(super) fn ground(parts: &Parts<'_>) -> Vec<Body> {
     top_m.map(slab).into_iter().collect()
 }
 
-/// A block for each layer of soil; around a hole of local scour four pieces beside each other.
+/// A block for each layer of soil; around a hole of local scour four pieces per layer.
 fn soil(parts: &Parts<'_>, half_m: f64, [low_m, surface_m]: [f64; 2]) -> Vec<Body> {
     let description = parts.description;
     let layers = description.ground.iter().flat_map(|of| &of.layers);
@@ -75,7 +77,8 @@ fn soil(parts: &Parts<'_>, half_m: f64, [low_m, surface_m]: [f64; 2]) -> Vec<Bod
     pieces.flatten().collect()
 }
 
-/// The four sides of a layer around a square hole, whose half side at each height is given.
+/// The four sides of a layer around a square hole; `inside_m` gives the half side of the hole at
+/// two heights.
 fn around_hole(half_m: f64, inside_m: [(f64, f64); 2]) -> Vec<Body> {
     let side = |[x, y]: [f64; 2]| {
         let corners = inside_m.into_iter().flat_map(|(height_m, inside_m)| {
@@ -106,7 +109,7 @@ fn lowest_soil_m(parts: &Parts<'_>) -> Option<f64> {
     rows_m.chain(layers_m).reduce(f64::min)
 }
 
-/// Half the side of soil, ground and water: wider than the frame under the tower.
+/// Half of the side of soil, ground and water: larger than the frame under the tower.
 fn half_side_m(parts: &Parts<'_>) -> f64 {
     let of_frame_m = parts.substructure().map_or(0.0, |frame| frame.reach_m());
     (HALF_SIDE * parts.tower.height_m()).max(BESIDE * of_frame_m)

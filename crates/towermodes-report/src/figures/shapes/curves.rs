@@ -1,11 +1,12 @@
-//! The component of a mode that is drawn, and which side-side modes equal fore-aft modes.
+//! The component of a mode that is drawn, and the check whether side-side modes equal fore-aft
+//! modes.
 
 use towermodes::tower::Motion;
 use towermodes::{Family, Mode, Plane, ShapePoint};
 
-/// Shapes of an equal pair agree to this.
+/// Shapes of an equal pair differ by at most this.
 const EQUAL_SHAPE: f64 = 1e-6;
-/// Frequencies of an equal pair agree to this, relative.
+/// Frequencies of an equal pair differ by at most this, relatively.
 const EQUAL_FREQUENCY: f64 = 1e-9;
 
 /// A component of a motion.
@@ -22,7 +23,7 @@ pub(crate) enum Part {
 }
 
 impl Part {
-    /// The component that a family is normalised by.
+    /// The component by which the modes of a family are normalised.
     pub fn main(family: Family) -> Self {
         match family.motion() {
             // Of a mode of the substructure the tower does little.
@@ -54,11 +55,12 @@ impl Part {
     }
 }
 
-/// A motion with less of a mode's energy than this would be a straight line at zero.
+/// A motion with a smaller share of a mode's energy is not drawn, because it would be a straight
+/// line at zero.
 const NOTABLE: f64 = 1e-3;
 
-/// The components that take part in a coupled mode, by its energy; all of x, y and the rotation
-/// about z if it has none.
+/// The components that take part in a coupled mode, according to its energy; if it has no energy,
+/// x, y and the rotation about z.
 pub(super) fn coupled_parts(mode: &Mode) -> Vec<Part> {
     let mean = mode.energy.mean();
     let shares = [

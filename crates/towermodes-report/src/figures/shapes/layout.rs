@@ -11,21 +11,21 @@ pub(super) const WIDTH: f64 = 900.0;
 const HEIGHT: f64 = 560.0;
 /// Height of each row if there are more.
 const ROW_HEIGHT: f64 = 420.0;
-/// Below the rows.
+/// Room below the rows.
 const FOOT: f64 = 22.0;
 /// Right edge of the panels.
 const RIGHT: f64 = 884.0;
-/// Least room for the numbers of the axis of heights.
+/// Smallest room for the numbers of the axis of heights.
 const NUMBERS: f64 = 54.0;
-/// Numbers along that axis.
+/// Approximate number of numbers along that axis.
 pub(super) const TICKS: usize = 8;
 /// Width of the tower's column.
 const COLUMN: f64 = 152.0;
-/// From panel to panel.
+/// Distance between panels.
 const GAP: f64 = 26.0;
-/// Narrowest panel.
+/// Smallest width of a panel.
 const NARROWEST: f64 = 96.0;
-/// Size of the text of a legend, and from line to line.
+/// Size of the text of a legend, and distance between its lines.
 pub(super) const LEGEND: (f64, f64) = (11.0, 14.5);
 /// Width of the sample of a line in a legend, with the space after it.
 pub(super) const SAMPLE: f64 = 28.0;
@@ -39,7 +39,7 @@ pub(super) struct Placed<'a> {
     pub panel: &'a Panel,
     /// Its left and right edge.
     pub edges: [f64; 2],
-    /// Columns of its legend.
+    /// Number of columns of its legend.
     pub columns: usize,
 }
 
@@ -55,7 +55,7 @@ pub(super) struct Strip<'a> {
 }
 
 impl Strip<'_> {
-    /// Lines of the longest legend.
+    /// Number of lines of the longest legend.
     pub fn legend_lines(&self) -> usize {
         let lines = self
             .panels
@@ -83,8 +83,8 @@ pub(super) fn column(tower: &Tower) -> [f64; 2] {
     [left, left + COLUMN]
 }
 
-/// The panels row by row: as few rows as have room for every legend, about equally many panels in
-/// each.
+/// The panels row by row: the smallest number of rows with room for every legend, and about the
+/// same number of panels in each.
 pub(super) fn rows(panels: &[Panel], column: [f64; 2]) -> Vec<&[Panel]> {
     let fits = |row: &[Panel]| {
         let needed: f64 = row.iter().map(|panel| needed_width(panel) + GAP).sum();
@@ -114,7 +114,7 @@ pub(super) fn sheet_height(rows: usize) -> f64 {
     }
 }
 
-/// The rows on a sheet; one without panels where there are none.
+/// The rows on a sheet; one row without panels if there are none.
 pub(super) fn strips<'a>(rows: &[&'a [Panel]], height: f64, column: [f64; 2]) -> Vec<Strip<'a>> {
     let count = rows.len().max(1);
     let each = (height - FOOT) / count as f64;
@@ -128,7 +128,8 @@ pub(super) fn strips<'a>(rows: &[&'a [Panel]], height: f64, column: [f64; 2]) ->
     (0..count).map(strip).collect()
 }
 
-/// Each panel has the width that it needs, and all share the remaining width.
+/// The panels of a row with their positions: each gets the width that it needs, and all share the
+/// remaining width equally.
 fn placed(row: &[Panel], from: f64) -> Vec<Placed<'_>> {
     let room = RIGHT - from - GAP * row.len().saturating_sub(1) as f64;
     let needed: f64 = row.iter().map(needed_width).sum();
@@ -148,7 +149,7 @@ fn placed(row: &[Panel], from: f64) -> Vec<Placed<'_>> {
     row.iter().map(place).collect()
 }
 
-/// Lines of a legend, one of them "4 more" where not all modes are drawn.
+/// Number of lines of a legend, including the line "4 more" if not all modes are drawn.
 pub(super) fn entries(panel: &Panel) -> usize {
     let labels = panel.curves.iter().map(|curve| curve.labels.len());
     labels.sum::<usize>() + usize::from(panel.more > 0)

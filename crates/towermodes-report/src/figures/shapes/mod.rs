@@ -1,4 +1,5 @@
-//! The shapes of the modes beside the tower: a panel for each family, heights on one axis.
+//! The shapes of the modes beside the tower: a panel for each family, with a common axis of
+//! heights.
 
 mod curves;
 mod layout;
@@ -59,8 +60,8 @@ fn title(tower: &Tower, solution: &Solution) -> String {
     }
 }
 
-/// The note on the modes that no panel shows, because hardly more than members of the substructure
-/// move in them.
+/// The note on the modes that no panel shows, because nearly only members of the substructure move
+/// in them.
 fn left_out(solution: &Solution) -> String {
     let local = |mode: &&Mode| mode.family == Family::Substructure;
     match solution.modes.iter().filter(local).count() {

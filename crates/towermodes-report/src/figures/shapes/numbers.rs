@@ -1,4 +1,4 @@
-//! The figure of the mode shapes in words and as a table.
+//! The figure of the mode shapes as text and as a table.
 
 use towermodes::{Mode, ShapePoint, Solution, Tower};
 
@@ -11,7 +11,7 @@ const HEIGHTS: usize = 11;
 /// The largest number of modes in the description.
 const MOST_MODES: usize = 6;
 
-/// The figure in words.
+/// The figure as text.
 pub(super) fn description(tower: &Tower, solution: &Solution) -> String {
     let modes = &solution.modes;
     let named = modes.iter().take(MOST_MODES);

@@ -12,7 +12,7 @@ pub(super) const COUPLED: &str = "coupled: ";
 const MOST_CURVES: usize = 6;
 /// A panel extends below zero if a curve is more than this below zero.
 const BELOW_ZERO: f64 = 0.02;
-/// Curves closer than this share of the largest motion look like one.
+/// Curves that differ by less than this share of the largest motion are drawn as one.
 const ONE_LINE: f64 = 0.02;
 
 /// A field with curves over the height.
@@ -26,7 +26,7 @@ pub(super) struct Panel {
     pub axis: [&'static str; 2],
     /// The values at its left and right edge.
     pub range: [f64; 2],
-    /// About how many numbers its axis has in a narrow panel and in a wide one.
+    /// Approximate number of numbers along its axis in a narrow panel and in a wide one.
     pub ticks: [usize; 2],
     /// The curves.
     pub curves: Vec<Curve>,
@@ -37,13 +37,13 @@ pub(super) struct Panel {
 /// One component of a mode over the height.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Curve {
-    /// "1st 0.3221 Hz"; of several modes on one line a label each.
+    /// "1st 0.3221 Hz"; if several modes coincide, a label for each.
     pub labels: Vec<String>,
     /// Heights, m, and values.
     pub points: Vec<(f64, f64)>,
 }
 
-/// Numbers between −1 or 0 and 1.
+/// Number of labels on an axis from 0 or −1 to 1, in a narrow and in a wide panel.
 const SHARES: [usize; 2] = [2, 4];
 const DEFLECTION: [&str; 2] = [
     "deflection / largest (\u{2212})",
@@ -183,7 +183,7 @@ fn rigid(solution: &Solution) -> Panel {
     }
 }
 
-/// Curves that would lie on each other as one with the labels of all.
+/// Combines curves that would coincide into one curve with all labels.
 fn on_one_line(curves: Vec<Curve>) -> Vec<Curve> {
     let mut lines: Vec<Curve> = Vec::new();
     for curve in curves {
@@ -196,7 +196,7 @@ fn on_one_line(curves: Vec<Curve>) -> Vec<Curve> {
 }
 
 impl Curve {
-    /// Whether another curve is nowhere farther from this one than the width of a line.
+    /// Whether another curve differs from this one by less than the width of a line everywhere.
     fn covers(&self, other: &Self) -> bool {
         let mut pairs = self.points.iter().zip(&other.points);
         pairs.all(|(own, other)| (own.1 - other.1).abs() <= ONE_LINE)
@@ -212,7 +212,7 @@ fn curve(mode: &Mode, part: Part, name: &str) -> Curve {
     }
 }
 
-/// From 0 or −1 to 1.
+/// The range from 0 or −1 to 1.
 fn share_range(curves: &[Curve]) -> [f64; 2] {
     let lowest = values(curves).fold(0.0, f64::min);
     [if lowest < -BELOW_ZERO { -1.0 } else { 0.0 }, 1.0]

@@ -1,17 +1,17 @@
-//! A row of the figure: the tower and panels beside it on the same height axis.
+//! A row of the figure: the tower and the panels beside it with a common axis of heights.
 
 use super::layout::{HEADING, LEGEND, Placed, SAMPLE, Strip, TICKS, entries};
 use crate::figures::parts::Parts;
 use crate::figures::tower::{View, draw_small, levels, small_view};
 use crate::svg::{Anchor, Axes, Colour, Dash, Drawing, Frame, Stroke, TextStyle, text_width};
 
-/// With more point masses no lines are drawn across the panels.
+/// If there are more point masses, no lines are drawn across the panels.
 pub(super) const MOST_MASSES: usize = 40;
 /// Largest width of the tower.
 const WIDEST: f64 = 40.0;
 /// Room below a field for the numbers and the name of its axis.
 const BELOW: f64 = 42.0;
-/// Wider panels have more numbers.
+/// Panels wider than this have more numbers.
 const WIDE: f64 = 140.0;
 /// Text size of the names of water and ground.
 const SMALL: f64 = 10.0;

@@ -1,5 +1,5 @@
-//! The frequencies that excitations forbid, behind the histograms of a sweep: the margins of 1P and
-//! of the blade passing frequency, and how many rows are in them.
+//! The frequencies that excitations exclude, behind the histograms of a sweep: the margins of 1P
+//! and of the blade passing frequency, and the number of rows within them.
 
 use towermodes::number::{digits, percent};
 
@@ -8,19 +8,19 @@ use crate::svg::{Anchor, Axes, Colour, Dash, Drawing, Stroke, TextStyle};
 
 /// Size of the names of the bands.
 const SIZE: f64 = 11.0;
-/// An axis is extended to a band that is not farther away than this share of its range.
+/// An axis is extended to a band that is at most this share of its range away.
 const NEAR: f64 = 1.0;
-/// The part of the range by which the axis goes on into a band.
+/// The share of its range by which the axis extends into a band.
 const INSIDE: f64 = 0.12;
 
-/// The frequencies that excitations of the rotor forbid.
+/// The frequencies that excitations of the rotor exclude.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SweepBands {
-    /// The required distance |n Ω/f − 1|, 0.05 for example.
+    /// The required distance |n Ω/f − 1|, for example 0.05.
     pub margin: f64,
     /// Whether the rows are drawn at random, so that shares of them estimate probabilities.
     pub are_random: bool,
-    /// The bands, by rising multiple.
+    /// The bands, by increasing multiple.
     pub bands: Vec<SweepBand>,
 }
 
@@ -31,9 +31,10 @@ pub struct SweepBand {
     pub multiple: usize,
     /// The excitation at the lowest and at the highest operating speed, Hz.
     pub operation_hz: [f64; 2],
-    /// The frequencies that are closer to it than the margin, Hz.
+    /// The frequencies whose distance from the excitation is below the margin, Hz.
     pub margin_hz: [f64; 2],
-    /// For each mode the rows in which the margin is violated; none if no row has the mode.
+    /// For each mode the share of rows in which the margin is violated; none if no row has the
+    /// mode.
     pub violated: Vec<Option<ViolatedShare>>,
 }
 
@@ -42,22 +43,22 @@ pub struct SweepBand {
 pub struct ViolatedShare {
     /// The share, 0 to 1.
     pub share: f64,
-    /// The interval that has the probability with 95 % confidence.
+    /// The interval that contains the probability with 95 % confidence.
     pub interval: [f64; 2],
 }
 
-/// How the borders of a margin are drawn.
+/// The stroke of the borders of a margin.
 fn edge() -> Stroke {
     Stroke::new(Colour::Fail, 0.9)
 }
 
-/// How the lowest and the highest operating speed are drawn.
+/// The stroke of the lowest and the highest operating speed.
 fn operation() -> Stroke {
     Stroke::new(Colour::Fail, 1.2).dashed(Dash::Dotted)
 }
 
 impl SweepBands {
-    /// A range that reaches into the next band on each side, if one is near.
+    /// A range extended into the next band on each side, if one is near.
     pub(super) fn extended(&self, [low, high]: [f64; 2]) -> [f64; 2] {
         let width = high - low;
         let near = |distance: f64| (0.0..=NEAR * width).contains(&distance);
@@ -72,7 +73,7 @@ impl SweepBands {
         ]
     }
 
-    /// Draws the bands on the field, behind what is drawn later.
+    /// Draws the bands on the field, behind everything that is drawn later.
     pub(super) fn draw(&self, drawing: &mut Drawing, axes: &Axes, range: [f64; 2]) {
         let frame = axes.frame;
         let clipped = |hz: f64| axes.x.at(hz.clamp(range[0], range[1]));
@@ -132,7 +133,7 @@ impl SweepBands {
         }
     }
 
-    /// What the shades and lines in fields of these ranges are; nothing without bands.
+    /// The legend of the shades and lines in fields of these ranges; empty without bands.
     pub(super) fn legend(&self, ranges: &[[f64; 2]]) -> Vec<Entry> {
         if self.bands.is_empty() {
             return Vec::new();
@@ -155,7 +156,7 @@ impl SweepBands {
     }
 }
 
-/// "14.5 % (14.3 to 14.7 %)"; of no or all rows the bound alone.
+/// "14.5 % (14.3 to 14.7 %)"; if no row or every row is violated, only the bound.
 fn with_confidence(violated: ViolatedShare) -> String {
     let [low, high] = violated.interval;
     let percent = |share: f64| digits(100.0 * share, 3);
@@ -200,7 +201,7 @@ mod tests {
         close(bands.extended([1.0, 1.1]), [1.0, 1.1]);
     }
 
-    /// The ends of operation are at 0.1 and 0.2 Hz.
+    /// The ends of the operating range are at 0.1 and 0.2 Hz.
     #[test]
     fn the_legend_names_only_lines_that_are_drawn() {
         let bands = SweepBands {

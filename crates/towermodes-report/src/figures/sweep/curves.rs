@@ -1,4 +1,4 @@
-//! Curves of the frequencies against one or two varied numbers.
+//! Curves of the frequencies against one or two varied inputs.
 
 use towermodes::number::Rounded;
 
@@ -7,13 +7,13 @@ use crate::figures::chart::{Axis, Chart, Series, WIDTH, range, six_decimals};
 use crate::svg::{DataTable, Drawing, Figure};
 use crate::wording::counted;
 
-/// Curves for more values of a number cannot be distinguished.
+/// Largest number of curves for the values of an input, because more cannot be distinguished.
 pub(super) const MOST_LEVELS: usize = 7;
-/// More modes cannot be distinguished.
+/// Largest number of modes, because more cannot be distinguished.
 const MOST_MODES: usize = 14;
-/// Panels of more modes are not shown.
+/// Largest number of panels.
 const MOST_PANELS: usize = 6;
-/// Curves of more points are thinned out: no screen shows them.
+/// Curves with more points are thinned out, because no screen shows them.
 const MOST_POINTS: usize = 2000;
 
 /// A curve for each mode.
@@ -69,7 +69,7 @@ pub(super) fn of_two(
     figure(title, description, &panels.collect::<Vec<Chart>>())
 }
 
-/// Panels one below the other.
+/// A figure of panels one below the other.
 fn figure(title: String, description: String, panels: &[Chart]) -> Figure {
     let height = panel_height(panels.len());
     let mut drawing = Drawing::new(WIDTH, height * panels.len().max(1) as f64);
@@ -86,7 +86,7 @@ fn figure(title: String, description: String, panels: &[Chart]) -> Figure {
     }
 }
 
-/// A panel of curves, each a label and points by rising x.
+/// A panel of curves, each with a label and points by increasing x.
 fn panel(
     title: Option<String>,
     varied: &VariedColumn<'_>,
@@ -127,7 +127,7 @@ fn points_in_words(shown: usize, all: usize) -> String {
     }
 }
 
-/// The selected rows by rising value.
+/// The selected rows by increasing value.
 fn by_value(varied: &VariedColumn<'_>, is_selected: impl Fn(usize) -> bool) -> Vec<usize> {
     let values = &varied.values;
     let rows = (0..values.len()).filter(|&row| values[row].is_finite() && is_selected(row));
@@ -136,8 +136,8 @@ fn by_value(varied: &VariedColumn<'_>, is_selected: impl Fn(usize) -> bool) -> V
     rows
 }
 
-/// Some of many rows at equal distances, with the first and the last: a curve reaches over the
-/// whole range of values.
+/// A selection of many rows at equal distances, including the first and the last, so that a curve
+/// covers the whole range of values.
 fn thinned(rows: &[usize]) -> Vec<usize> {
     if rows.len() <= MOST_POINTS {
         return rows.to_vec();
@@ -152,7 +152,7 @@ fn points(rows: &[usize], varied: &VariedColumn<'_>, mode: &ModeColumn<'_>) -> V
     rows.iter().map(point).collect()
 }
 
-/// One row per point; of several panels with the mode of each.
+/// One row per point; if there are several panels, with the mode of each.
 fn table(panels: &[Chart]) -> DataTable {
     let x_name = panels.first().map_or("", |panel| &panel.x.name);
     let row = |panel: &Chart, label: &str, [x, y]: [f64; 2]| {

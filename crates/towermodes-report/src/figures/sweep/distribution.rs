@@ -8,13 +8,13 @@ use crate::figures::chart::legend::Legend;
 use crate::figures::chart::{WIDTH, draw_title, frame, range};
 use crate::svg::{Anchor, Axes, Colour, Dash, DataTable, Drawing, Figure, Stroke, TextStyle};
 
-/// Panels of more modes are not shown.
+/// Largest number of panels.
 const MOST_PANELS: usize = 6;
-/// Beside the panels and the legend.
+/// Room beside the panels and the legend.
 const BESIDE: f64 = 24.0;
 /// Size of the remark beside the title of a panel.
 const REMARK: f64 = 11.0;
-/// Fewest and most classes of a histogram.
+/// Smallest and largest number of classes of a histogram.
 const CLASSES: [usize; 2] = [8, 60];
 /// The quantiles that are marked.
 const QUANTILES: [(f64, &str); 3] = [(0.05, "5 %"), (0.5, "50 %"), (0.95, "95 %")];
@@ -64,7 +64,7 @@ pub(super) fn of_each(columns: &SweepColumns<'_>) -> Figure {
 /// A frequency in classes of equal width.
 struct Histogram<'a> {
     label: &'a str,
-    /// Rows with a frequency.
+    /// Number of rows with a frequency.
     rows: usize,
     range: [f64; 2],
     /// Share of the rows in each class, percent.
@@ -101,7 +101,7 @@ impl<'a> Histogram<'a> {
         }
     }
 
-    /// Draws the histogram before the bands, with a remark beside its title.
+    /// Draws the histogram in front of the bands, with a remark beside its title.
     fn draw(&self, drawing: &mut Drawing, rows: [f64; 2], (bands, remark): (&SweepBands, &str)) {
         let range = bands.extended(self.range);
         let highest = self.shares.iter().copied().fold(0.0, f64::max).max(1e-9);
@@ -169,7 +169,7 @@ impl<'a> Histogram<'a> {
     }
 }
 
-/// A quantile of sorted values, linear between them.
+/// A quantile of sorted values, with linear interpolation.
 fn quantile(sorted: &[f64], share: f64) -> f64 {
     if sorted.is_empty() {
         return f64::NAN;

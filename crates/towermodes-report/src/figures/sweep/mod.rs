@@ -1,5 +1,5 @@
-//! The results of a sweep: curves of the frequencies against one varied number, a panel of curves
-//! for each mode against two, and the distribution of each frequency for any other sweep.
+//! The results of a sweep: for one varied input curves of the frequencies, for two a panel of
+//! curves for each mode, and for any other sweep the distribution of each frequency.
 
 mod bands;
 mod curves;
@@ -9,23 +9,23 @@ pub use bands::{SweepBand, SweepBands, ViolatedShare};
 
 use crate::svg::Figure;
 
-/// The columns of a sweep that a picture shows; all have a value for each row that is shown, NaN
-/// where the row has none.
+/// The columns of a sweep that a picture shows; all have a value for each row that is shown, NaN if
+/// the row has none.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SweepColumns<'a> {
-    /// The number of rows of the sweep. The columns may have a random selection of them: then the
-    /// description says so.
+    /// The number of rows of the sweep. The columns may contain a random selection of them, which
+    /// the description then states.
     pub rows: u64,
-    /// The numbers that vary.
+    /// The varied inputs.
     pub varied: Vec<VariedColumn<'a>>,
     /// The frequencies.
     pub modes: Vec<ModeColumn<'a>>,
-    /// The frequencies that the rotor forbids, shown behind histograms; empty if its speed is not
-    /// known or not wanted.
+    /// The frequencies that the rotor excludes, shown behind histograms; empty if its speed is
+    /// unknown or if they are not requested.
     pub bands: SweepBands,
 }
 
-/// A number that varies.
+/// A varied input.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VariedColumn<'a> {
     /// Its name, `rna.mass` or `scale(stations[*].wall)`.
@@ -52,7 +52,7 @@ fn panel_height(panels: usize) -> f64 {
 
 impl SweepColumns<'_> {
     /// " The picture shows 999512 rows, selected at random from 4000000."; empty if all rows are
-    /// there.
+    /// shown.
     fn selection(&self) -> String {
         let shown = self.modes.first().map_or(0, |mode| mode.frequency_hz.len());
         match self.rows > shown as u64 {
@@ -74,7 +74,7 @@ impl VariedColumn<'_> {
         }
     }
 
-    /// Its different values by size; none if there are more than `most`.
+    /// Its different values in increasing order; none if there are more than `most`.
     fn levels(&self, most: usize) -> Option<Vec<f64>> {
         let mut levels: Vec<f64> = Vec::new();
         for value in self
@@ -101,7 +101,7 @@ pub fn sweep(columns: &SweepColumns<'_>) -> Figure {
     figure
 }
 
-/// The picture of the rows that are there.
+/// The picture of the rows in these columns.
 fn of_all(columns: &SweepColumns<'_>) -> Figure {
     match &columns.varied[..] {
         [one] => curves::of_one(one, &columns.modes),

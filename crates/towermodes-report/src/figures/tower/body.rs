@@ -4,9 +4,9 @@ use super::view::View;
 use crate::figures::outline::{Shell, is_nominal, shells};
 use crate::svg::{Colour, Dash, Drawing, Stroke};
 
-/// The largest number of drawn shells: more would be thinner than a pixel.
+/// The largest number of drawn shells, because more would be thinner than a pixel.
 const MOST_SHELLS: usize = 1000;
-/// More lines across the tower than this would be a grey surface.
+/// Largest number of lines across the tower, because more would look like a grey area.
 const MOST_BORDERS: usize = 80;
 
 /// Draws the tower's wall from the base to the top.
@@ -32,7 +32,7 @@ pub(super) fn draw_body(drawing: &mut Drawing, view: &View<'_>) {
     drawing.line((x, view.base()), (x, view.top()), &axis);
 }
 
-/// The inside of the wall, with the water of a flooded tower.
+/// Draws the inside of the wall, with the water of a flooded tower.
 fn draw_inside(drawing: &mut Drawing, view: &View<'_>, inner: &[(f64, f64)]) {
     drawing.polygon(inner, Colour::Paper, None);
     let water = view.parts.description.water;
@@ -50,7 +50,7 @@ fn draw_inside(drawing: &mut Drawing, view: &View<'_>, inner: &[(f64, f64)]) {
     drawing.polyline(left, &fine);
 }
 
-/// Lines across the tower where shells meet.
+/// Draws lines across the tower where shells meet.
 fn draw_borders(drawing: &mut Drawing, view: &View<'_>, shells: &[Shell]) {
     if shells.len() > MOST_BORDERS {
         return;
@@ -63,7 +63,7 @@ fn draw_borders(drawing: &mut Drawing, view: &View<'_>, shells: &[Shell]) {
     }
 }
 
-/// Draws the point masses on the tower's axis, larger ones larger.
+/// Draws the point masses on the tower axis, larger masses with a larger radius.
 pub(super) fn draw_masses(drawing: &mut Drawing, view: &View<'_>) {
     let edge = Stroke::new(Colour::Paper, 0.8);
     let are_apart = view.parts.description.point_masses.len() <= MOST_BORDERS;

@@ -5,25 +5,24 @@ use crate::wording::counted;
 
 /// Size of the text.
 const TEXT: f64 = 11.0;
-/// From line to line.
+/// Distance between lines.
 const GAP: f64 = 15.0;
 
-/// The subject of a callout, which determines the order in which callouts are left out where there
-/// is no room.
+/// The subject of a callout, which determines which callouts are omitted if there is no room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Subject {
-    /// A single part of the tower: never left out if possible.
+    /// A single part of the tower: omitted last.
     Whole,
-    /// A point mass: some stay, evenly chosen.
+    /// A point mass: evenly spaced masses remain.
     Mass,
-    /// A station: as many as there is room for, evenly chosen.
+    /// A station: as many as fit, evenly spaced.
     Station,
 }
 
-/// Lines of text and the place of their subject.
+/// Lines of text and the position of their subject.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Callout {
-    /// The place on the sheet.
+    /// The position on the sheet.
     pub at: (f64, f64),
     /// The text.
     pub lines: Vec<String>,
@@ -42,11 +41,11 @@ impl Callout {
 /// The column of the texts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Column {
-    /// Where lines to things leave the drawing.
+    /// Where the leaders leave the drawing.
     pub elbow_x: f64,
-    /// Where texts begin.
+    /// The left edge of the texts.
     pub left: f64,
-    /// Where they must end.
+    /// The right edge of the texts.
     pub right: f64,
     /// The upper and the lower edge.
     pub range: [f64; 2],
@@ -85,7 +84,7 @@ impl LeftOut {
     }
 }
 
-/// Draws the callouts that there is room for. Returns the numbers of the others.
+/// Draws the callouts that fit. Returns the numbers of the others.
 pub(super) fn draw_callouts(
     drawing: &mut Drawing,
     column: &Column,
@@ -114,7 +113,7 @@ pub(super) fn draw_callouts(
     left_out
 }
 
-/// Writes the lines of a callout at their places and draws the leader to its subject.
+/// Writes the lines of a callout and draws the leader to its subject.
 fn draw_callout(drawing: &mut Drawing, column: &Column, callout: &Callout, places: &[f64]) {
     let style = TextStyle::new(TEXT);
     for (line, place) in callout.lines.iter().zip(places) {
@@ -168,7 +167,7 @@ fn fitting(callouts: &[Callout], room: usize) -> Vec<Callout> {
     chosen
 }
 
-/// So many of a list at equal distances, the first and the last among them.
+/// This number of elements of a list at equal distances, including the first and the last.
 fn evenly(callouts: &[Callout], most: usize) -> Vec<Callout> {
     let count = callouts.len();
     if count <= most {

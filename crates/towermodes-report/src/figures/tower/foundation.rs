@@ -74,7 +74,7 @@ fn draw_springs(drawing: &mut Drawing, view: &View<'_>, springs: &FoundationSpri
     drawing.line((x - half, y), (x + half, y), &plate);
 }
 
-/// A spring, or a rigid link where its stiffness is infinite.
+/// Draws a spring, or a rigid link if its stiffness is infinite.
 fn link(drawing: &mut Drawing, stiffness: f64, (from, to): ((f64, f64), (f64, f64))) {
     if stiffness.is_infinite() {
         rigid_link(drawing, from, to);
@@ -83,12 +83,12 @@ fn link(drawing: &mut Drawing, stiffness: f64, (from, to): ((f64, f64), (f64, f6
     }
 }
 
-/// A footing or a pile as it is drawn.
+/// The drawn form of a footing or a pile.
 struct InSoil {
     top: f64,
     half_width: f64,
     depth: f64,
-    /// Where the ground's surface is.
+    /// The height of the ground surface.
     ground: f64,
     is_to_scale: bool,
 }
@@ -186,7 +186,7 @@ fn matrix_lines(foundation: &StiffnessFoundation) -> Vec<String> {
     lines
 }
 
-/// What a foundation is, with its dimensions, and the soil or the springs that follow.
+/// The type of a foundation with its dimensions, and the resulting soil or springs.
 fn dimension_lines(form: &dyn ClosedForm, is_to_scale: bool) -> Vec<String> {
     let of = form.buried();
     let ([x, y], depth) = (

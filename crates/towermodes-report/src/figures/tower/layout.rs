@@ -6,15 +6,15 @@ pub(super) use crate::figures::chart::WIDTH;
 use crate::figures::parts::Parts;
 use crate::svg::{Axes, Frame};
 
-/// The sheet's height lies between these.
+/// The smallest and the largest height of the sheet.
 const HEIGHTS: [f64; 2] = [400.0, 640.0];
 /// The right edge of the field.
 const RIGHT: f64 = 510.0;
-/// Above and below the field.
+/// Room above and below the field.
 const MARGINS: [f64; 2] = [12.0, 34.0];
-/// Widest tube.
+/// Largest drawn width of the tube.
 const WIDEST: f64 = 120.0;
-/// Numbers along the axis of heights.
+/// Approximate number of numbers along the axis of heights.
 pub(super) const TICKS: usize = 8;
 /// Parts farther from the tower than this fraction of its height are not drawn.
 const NEAR: f64 = 1.0;

@@ -1,4 +1,5 @@
-//! The tower as a drawing: heights to scale, diameters and walls enlarged by stated factors.
+//! The tower as a drawing: heights to scale, diameters and wall thicknesses enlarged by stated
+//! factors.
 
 mod body;
 mod callouts;
@@ -33,10 +34,10 @@ use surroundings::draw_water_and_ground;
 
 /// A tower with RNA, foundation and surroundings, from its description.
 ///
-/// Heights and lengths have the same scale. Diameters and walls are enlarged by round factors that
-/// the picture states. A tower given by a property table is as wide as the steel tube of the same
-/// bending stiffness with t = D/200, which is proportional to the fourth root of EI. RNA and
-/// platform are nominal silhouettes with their centres of mass to scale.
+/// Heights and lengths have the same scale. Diameters and wall thicknesses are enlarged by round
+/// factors that the picture states. A tower given by a property table is drawn as wide as the steel
+/// tube of the same bending stiffness with t = D/200, which is proportional to the fourth root of
+/// EI. RNA and platform are nominal silhouettes with their centres of mass to scale.
 pub fn tower(description: &TowerDescription, tower: &Tower) -> Figure {
     let surface = Surface::of(description);
     let description = &description.with_ground_as_soil();

@@ -1,4 +1,4 @@
-//! The picture of a tower in words and as a table.
+//! The picture of a tower as text and as a table.
 
 use towermodes::{Foundation, Support, Tower, TowerDescription};
 
@@ -6,7 +6,7 @@ use crate::figures::parts::Parts;
 use crate::number::{length, mass, short, stiffness};
 use crate::svg::DataTable;
 
-/// The figure in words.
+/// The figure as text.
 pub(super) fn description(description: &TowerDescription, tower: &Tower) -> String {
     let mut parts = dimensions(tower);
     parts.extend(bodies(tower));
@@ -111,7 +111,7 @@ pub(super) fn table(parts: &Parts<'_>) -> DataTable {
     DataTable::new(header, rows.into_iter().flatten())
 }
 
-/// A row of the table: the part, its height in m, and a value in some of the other four columns.
+/// A row of the table: the part, its height in m, and values in the other four columns.
 fn row(what: String, height_m: f64, values: [Option<String>; 4]) -> Vec<String> {
     let values = values.into_iter().map(Option::unwrap_or_default);
     [what, length(height_m)].into_iter().chain(values).collect()
@@ -161,7 +161,7 @@ fn masses(tower: &Tower) -> Vec<Vec<String>> {
     masses.chain(rna).collect()
 }
 
-/// Guy wires, water, soil.
+/// The rows of guy wires, water and soil.
 fn around(parts: &Parts<'_>) -> Vec<Vec<String>> {
     let (description, tower) = (parts.description, parts.tower);
     let none = || [None, None, None, None];

@@ -14,7 +14,7 @@ fn half_width(view: &View<'_>) -> f64 {
     (1.5 * radius).clamp(18.0, 60.0)
 }
 
-/// Draws the water that the platform floats in, unless the description has water of its own.
+/// Draws the water in which the platform floats, unless the description contains water itself.
 pub(super) fn draw_sea(drawing: &mut Drawing, view: &View<'_>) {
     if view.parts.description.water.is_some() {
         return;
@@ -42,7 +42,7 @@ pub(super) fn draw_platform(drawing: &mut Drawing, view: &View<'_>) {
     }
 }
 
-/// Draws the body alone.
+/// Draws the hull.
 pub(super) fn draw_hull(drawing: &mut Drawing, view: &View<'_>) {
     let Some(platform) = view.parts.platform() else {
         return;
@@ -82,7 +82,7 @@ fn shows_center(view: &View<'_>, platform: &Platform<'_>) -> bool {
     view.shows(platform.of.center_m[2]) && (view.frame.left..=view.frame.right).contains(&x)
 }
 
-/// Mooring lines as they hang, as far as they are on the sheet.
+/// Draws the shapes of mooring lines at rest, as far as they are on the sheet.
 fn draw_lines(drawing: &mut Drawing, view: &View<'_>, at_rest: &LinesAtRest<'_>) {
     let stroke = Stroke::new(Colour::Ink, 1.2);
     drawing.clipped(
@@ -105,7 +105,7 @@ fn draw_lines(drawing: &mut Drawing, view: &View<'_>, at_rest: &LinesAtRest<'_>)
     );
 }
 
-/// Lines that hang to both sides; where they end is not known.
+/// Draws suspended lines to both sides; their anchors are unknown.
 fn draw_moorings(drawing: &mut Drawing, view: &View<'_>, platform: &Platform<'_>) {
     let (base, keel) = (view.base(), view.y(platform.keel_m()));
     let half = half_width(view);

@@ -45,7 +45,7 @@ pub(super) fn callout(view: &View<'_>) -> Option<Callout> {
     Some(Callout::whole(at, lines))
 }
 
-/// Where the centre of mass is.
+/// The position of the centre of mass.
 fn center(view: &View<'_>, rna: &Rna) -> (f64, f64) {
     let top_m = view.parts.tower.top_m();
     (view.x(rna.center_m[0]), view.y(top_m + rna.center_m[2]))
@@ -57,7 +57,7 @@ fn is_in_field(view: &View<'_>, (x, y): (f64, f64)) -> bool {
         && (frame.top + 7.0..=frame.bottom - 7.0).contains(&y)
 }
 
-/// Nacelle and hub as they are drawn.
+/// The drawn nacelle and hub.
 struct Silhouette {
     left: f64,
     right: f64,
@@ -67,7 +67,7 @@ struct Silhouette {
     form: RnaForm,
 }
 
-/// Between nacelle and hub.
+/// Distance between nacelle and hub.
 const GAP: f64 = 3.0;
 
 impl Silhouette {
@@ -109,7 +109,7 @@ impl Silhouette {
         drawing.polygon(&nose, Colour::Rna, Some(&edge));
     }
 
-    /// The roots of two blades.
+    /// Draws the roots of two blades.
     fn draw_blades(&self, drawing: &mut Drawing, middle: f64, edge: &Stroke) {
         let x = self.left - self.form.front + self.form.blades_at - GAP;
         let (root, end) = (0.22 * self.unit, 0.14 * self.unit);

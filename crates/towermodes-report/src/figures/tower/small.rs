@@ -1,4 +1,4 @@
-//! The tower small, in a column beside curves on the same axis of heights: its form without words.
+//! The tower in a narrow column beside curves with the same axis of heights, without texts.
 
 use super::view::View;
 use super::{body, foundation, platform, rna, substructure, surroundings, wires};
@@ -16,7 +16,7 @@ const NEAR: f64 = 0.5;
 /// A substructure is shown down to this multiple of the tower's height below the base.
 const FRAME: f64 = 2.0;
 
-/// A height that is worth a line across everything.
+/// A height at which a line is drawn across all panels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::figures) struct Level {
     /// The height, m.
@@ -51,7 +51,7 @@ pub(in crate::figures) fn small_view(frame: Frame, parts: Parts<'_>, widest: f64
     View::new(parts, frame, axis_x, scale, widest)
 }
 
-/// The surface of the water and the ground, as far as there are any.
+/// The levels of water surface and ground, if they exist.
 pub(in crate::figures) fn levels(parts: &Parts<'_>) -> impl Iterator<Item = Level> {
     let levels = [
         (parts.water_m(), "water", Colour::Series(0)),
@@ -67,8 +67,8 @@ pub(in crate::figures) fn levels(parts: &Parts<'_>) -> impl Iterator<Item = Leve
     levels.into_iter().filter_map(level)
 }
 
-/// Draws the tower in the column of a view, with its axis of heights; `name` is no other clip's of
-/// the sheet.
+/// Draws the tower in the column of a view, with its axis of heights; `name` must be unique among
+/// the clips of the sheet.
 pub(in crate::figures) fn draw_small(
     drawing: &mut Drawing,
     view: &View<'_>,

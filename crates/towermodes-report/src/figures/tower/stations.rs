@@ -6,11 +6,11 @@ use super::callouts::{Callout, Subject};
 use super::view::View;
 use crate::number::{length, mass, short, wall};
 
-/// Stations at most so far apart are the sides of a step, m: some files cannot have two stations at
-/// one height and put them a millimetre apart.
+/// Stations whose distance is at most this are the sides of a step, m: some file formats do not
+/// allow two stations at one height, so they are put a millimetre apart.
 const STEP_M: f64 = 0.002;
 
-/// The tube, or the stiffness, at each station's height; of a step both sides.
+/// The tube, or the stiffness, at each station; at a step on both sides.
 pub(super) fn station_callouts(view: &View<'_>) -> Vec<Callout> {
     let tower = view.parts.tower;
     let is_step = |a: f64, b: f64| b - a <= STEP_M;
@@ -56,7 +56,7 @@ fn row_text(there: &[PropertyStation]) -> String {
     format!("EI {} N m²", steps(&texts.collect::<Vec<_>>()))
 }
 
-/// The values below and above a step, or the one value where there is none.
+/// The values below and above a step, or one value if there is no step.
 fn steps(values: &[String]) -> String {
     match values {
         [first, .., last] if first != last => format!("{first} → {last}"),
@@ -65,7 +65,7 @@ fn steps(values: &[String]) -> String {
     }
 }
 
-/// The point masses with their heights; those of one height as one.
+/// The point masses with their heights; masses at one height share a callout.
 pub(super) fn mass_callouts(view: &View<'_>) -> Vec<Callout> {
     let mut masses = view.parts.tower.point_masses().to_vec();
     masses.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));

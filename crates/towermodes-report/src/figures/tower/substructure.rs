@@ -12,9 +12,9 @@ use crate::wording::counted;
 
 /// Room below a frame for its supports.
 pub(super) const BELOW: f64 = 30.0;
-/// Length of the spring of a support that is not held.
+/// Length of the spring of a support that is not fixed.
 const SPRING: f64 = 16.0;
-/// Members whose ends are nearer to each other on the sheet point to the reader.
+/// A member whose ends are closer together on the sheet is seen along its axis.
 const SHORT: f64 = 0.5;
 
 /// Draws the frame, if there is one.
@@ -35,13 +35,13 @@ pub(super) fn draw_substructure(drawing: &mut Drawing, view: &View<'_>) {
     );
 }
 
-/// The place of a point; the axis of the tower goes through the reference point of the frame.
+/// The position of a point; the axis of the tower passes through the reference point of the frame.
 fn place(view: &View<'_>, substructure: &Substructure<'_>, point_m: [f64; 3]) -> (f64, f64) {
     let [axis_m, _, _] = substructure.of.reference_m();
     (view.x(point_m[0] - axis_m), view.y(point_m[2]))
 }
 
-/// The members, those behind first: the reader looks along y.
+/// Draws the members, those at the back first, as seen along y.
 pub(super) fn draw_members(drawing: &mut Drawing, view: &View<'_>) {
     let Some(substructure) = view.parts.substructure() else {
         return;
@@ -69,7 +69,7 @@ pub(super) fn draw_members(drawing: &mut Drawing, view: &View<'_>) {
     }
 }
 
-/// A tube with ends on the sheet, so long in space.
+/// Draws a tube between two positions on the sheet, with its length in space.
 fn draw_tube(
     drawing: &mut Drawing,
     ([from, to], length): ([(f64, f64); 2], f64),
@@ -98,7 +98,7 @@ fn draw_tube(
     drawing.line(d, c, &edge);
 }
 
-/// Hatching under joints that are held, springs under those that are not.
+/// Draws hatching under fixed joints, and springs under the others.
 fn draw_supports(drawing: &mut Drawing, view: &View<'_>, substructure: &Substructure<'_>) {
     let description = substructure.description();
     for support in &description.supports {
@@ -115,7 +115,8 @@ fn draw_supports(drawing: &mut Drawing, view: &View<'_>, substructure: &Substruc
     }
 }
 
-/// Rigid links from the reference point of the transition piece to the joints that move with it.
+/// Draws rigid links from the reference point of the transition piece to the joints that move with
+/// it.
 pub(super) fn draw_links(drawing: &mut Drawing, view: &View<'_>, width: f64) {
     let Some(substructure) = view.parts.substructure() else {
         return;
@@ -131,7 +132,7 @@ pub(super) fn draw_links(drawing: &mut Drawing, view: &View<'_>, width: f64) {
     }
 }
 
-/// The transition piece: its links and its centre of mass.
+/// Draws the transition piece: its links and its centre of mass.
 fn draw_transition(drawing: &mut Drawing, view: &View<'_>, substructure: &Substructure<'_>) {
     draw_links(drawing, view, 2.4);
     if substructure.of.platform.mass_kg > 0.0 {

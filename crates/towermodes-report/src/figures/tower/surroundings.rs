@@ -12,11 +12,11 @@ use crate::svg::{Colour, Dash, Drawing, Stroke};
 
 /// The width of the bar of the largest soil stiffness.
 const WIDEST_BAR: f64 = 80.0;
-/// From the tower to the fixed ends of the springs.
+/// Distance from the tower to the fixed ends of the springs.
 const SPRING: f64 = 34.0;
-/// From the lowest of them to the base.
+/// Distance from the lowest spring to the base.
 const BASE: f64 = 15.0;
-/// From spring to spring.
+/// Distance between springs.
 const SPRING_GAP: f64 = 22.0;
 /// The largest number of hatched layers of soil.
 const MOST_LAYERS: usize = 12;
@@ -166,7 +166,7 @@ fn draw_soil_springs(drawing: &mut Drawing, view: &View<'_>, most: f64) {
     held_left(drawing, wall, top, bottom);
 }
 
-/// Half the largest width of the tower in the soil.
+/// Half of the largest width of the tower in the soil.
 fn beside(view: &View<'_>) -> f64 {
     let in_soil = view
         .parts

@@ -6,39 +6,39 @@ use crate::figures::outline::{Shell, shells};
 use crate::figures::parts::Parts;
 use crate::svg::{Axes, Colour, Drawing, Frame};
 
-/// A widest tube from the first to the last of these is drawn as it is.
+/// If the widest tube has a width in this range, diameters are drawn to scale.
 const READABLE: [f64; 2] = [22.0, 120.0];
-/// A narrower one is drawn at least so wide.
+/// A narrower tube is drawn with at least this width.
 const WIDENED: f64 = 30.0;
-/// The thickest wall is drawn at least so thick, if that leaves the tube hollow.
+/// The thickest wall is drawn with at least this thickness, if the tube remains hollow.
 const WALL: f64 = 3.0;
-/// The largest part of the radius that a wall takes that is drawn thicker.
+/// The largest fraction of the radius for an enlarged wall.
 const HOLLOW: f64 = 0.45;
-/// Places beyond the sheet are not farther from it than this.
+/// Positions outside the sheet are limited to this distance from it.
 const FAR: f64 = 5e3;
 
-/// How heights, lengths, diameters and walls become pixels.
+/// The scales from heights, lengths, diameters and wall thicknesses to pixels.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::figures) struct View<'a> {
-    /// What is drawn.
+    /// The parts that are drawn.
     pub parts: Parts<'a>,
     /// The field.
     pub frame: Frame,
-    /// Where the tower's axis is.
+    /// The horizontal position of the tower axis.
     pub axis_x: f64,
     /// The height at the upper edge of the field, m.
     pub high_m: f64,
-    /// Pixels a metre, of heights and lengths.
+    /// Pixels per metre, for heights and lengths.
     pub per_m: f64,
-    /// How many times wider diameters are drawn.
+    /// The enlargement of diameters.
     pub diameter_factor: f64,
-    /// How many times thicker walls are drawn.
+    /// The enlargement of wall thicknesses.
     pub wall_factor: f64,
 }
 
 impl<'a> View<'a> {
-    /// A view of a tower in a field whose upper edge is at a height (m), with its axis at a place
-    /// and tubes of readable width, at most `widest` pixels.
+    /// A view of a tower in a field whose upper edge is at a height (m), with the position of its
+    /// axis, and tubes of readable width, at most `widest` pixels.
     pub fn new(
         parts: Parts<'a>,
         frame: Frame,
@@ -61,7 +61,7 @@ impl<'a> View<'a> {
         }
     }
 
-    /// The place of a height, m.
+    /// The vertical position of a height, m.
     pub fn y(&self, height_m: f64) -> f64 {
         let y = self.frame.top + (self.high_m - height_m) * self.per_m;
         if y.is_finite() {
@@ -71,17 +71,17 @@ impl<'a> View<'a> {
         }
     }
 
-    /// The place of a distance from the axis, m, at the scale of heights.
+    /// The horizontal position of a distance from the axis, m, in the scale of heights.
     pub fn x(&self, distance_m: f64) -> f64 {
         self.axis_x + (distance_m * self.per_m).clamp(-FAR, FAR)
     }
 
-    /// Half of a diameter (m) as it is drawn.
+    /// Half of the drawn width of a diameter (m).
     pub fn radius(&self, diameter_m: f64) -> f64 {
         (0.5 * diameter_m * self.per_m * self.diameter_factor).clamp(0.4, FAR)
     }
 
-    /// Half the width of the tower at a height (m) as it is drawn.
+    /// Half of the drawn width of the tower at a height (m).
     pub fn radius_at(&self, height_m: f64) -> f64 {
         self.radius(2.0 * self.parts.radius_m(height_m))
     }
@@ -91,17 +91,17 @@ impl<'a> View<'a> {
         (self.axis_x + self.radius_at(height_m), self.y(height_m))
     }
 
-    /// The place of the base.
+    /// The vertical position of the base.
     pub fn base(&self) -> f64 {
         self.y(self.parts.tower.base_m())
     }
 
-    /// The place of the top.
+    /// The vertical position of the top.
     pub fn top(&self) -> f64 {
         self.y(self.parts.tower.top_m())
     }
 
-    /// A wall (m) as it is drawn in a tube of a diameter, m.
+    /// The drawn thickness of a wall (m) in a tube of a diameter, m.
     pub fn wall(&self, wall_m: f64, diameter_m: f64) -> f64 {
         (wall_m * self.per_m * self.wall_factor).clamp(0.2, self.radius(diameter_m))
     }
@@ -111,7 +111,7 @@ impl<'a> View<'a> {
         self.high_m - (self.frame.bottom - self.frame.top) / self.per_m
     }
 
-    /// Fills the field below a place, as wide as it is.
+    /// Fills the field below a vertical position over its whole width.
     pub fn fill_below(&self, drawing: &mut Drawing, y: f64, colour: Colour) {
         let Frame {
             left,
@@ -154,7 +154,8 @@ fn diameter_factor(width: f64, widest: f64) -> f64 {
     1.0
 }
 
-/// How many times thicker walls are drawn: round, visible, and no tube fuller than it is.
+/// The enlargement of wall thicknesses: a round factor for which walls are visible and no tube
+/// looks more solid than it is.
 fn wall_factor(shells: &[Shell], per_m: f64, diameter_factor: f64) -> f64 {
     let mut thickest_m = 0.0_f64;
     let mut most = f64::INFINITY;

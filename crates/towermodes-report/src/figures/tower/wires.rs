@@ -7,14 +7,14 @@ use super::view::View;
 use crate::number::{length, short, stiffness};
 use crate::svg::{Colour, Drawing, Stroke};
 
-/// More sets of wires have no callout each.
+/// If there are more sets of wires, they have a common callout.
 const MOST_WIRES: usize = 6;
 
-/// A wire as it is drawn to the right of the tower.
+/// A drawn wire on the right side of the tower.
 struct Drawn {
-    /// Where it begins at the shell.
+    /// Its beginning at the shell.
     start: (f64, f64),
-    /// How far its anchor is from there to the side, and how far down.
+    /// The horizontal and vertical distance of its anchor from there.
     anchor: (f64, f64),
 }
 
@@ -40,8 +40,8 @@ impl Drawn {
     }
 }
 
-/// Draws taut wires to both sides, to the ground; those that go beyond the edge of the field are
-/// cut there.
+/// Draws taut wires on both sides, to the ground; wires that extend beyond the edge of the field
+/// are cut there.
 pub(super) fn draw_wires(drawing: &mut Drawing, view: &View<'_>) {
     let line = Stroke::new(Colour::Ink, 1.2);
     for wires in &view.parts.description.wires {
@@ -64,7 +64,7 @@ pub(super) fn draw_wires(drawing: &mut Drawing, view: &View<'_>) {
     }
 }
 
-/// Two strokes across the end of a wire: it goes on.
+/// Draws two strokes across the end of a wire, which show that it continues.
 fn draw_cut(drawing: &mut Drawing, (x, y): (f64, f64), side: f64, line: &Stroke) {
     for back in [3.0, 7.0] {
         let middle = x - side * back;

@@ -1,4 +1,4 @@
-//! The data of a script that animates a turbine with its turning rotor in its modes.
+//! The data of a script that animates the modes of a turbine with rotating rotor.
 
 use serde::Serialize;
 use towermodes::turbine::Complex;
@@ -10,20 +10,21 @@ use crate::figures::outline::outer_diameter_m;
 use crate::figures::parts::RnaForm;
 use crate::number::five_digits;
 
-/// Half the width of a drawn blade as fractions of its length, at fractions of its length.
+/// Half of the drawn width of a blade, at fractions of its length, as fractions of its length.
 const HALF_WIDTHS: [(f64, f64); 4] = [(0.0, 0.013), (0.2, 0.024), (0.6, 0.016), (1.0, 0.004)];
-/// Amplitudes are multiples of this; a picture shows no less.
+/// Amplitudes are rounded to multiples of this; smaller ones are not visible.
 const FINEST: f64 = 1e-4;
 
-/// A turbine and its modes at a rotor speed, by a few sections. Amplitudes are complex, as real and
-/// imaginary part; a motion is the real part of a·e^(i w t). The largest is 1.
+/// A turbine and its modes at a rotor speed, as the motion of a few sections. Amplitudes are
+/// complex, given as real and imaginary part; a motion is the real part of a·e^(i w t). The largest
+/// amplitude is 1.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WhirlAnimation {
     /// The rotor speed, rpm.
     pub rotor_speed_rpm: f64,
     /// Number of blades.
     pub blades: usize,
-    /// Cone, rad; positive downwind.
+    /// Cone angle, rad; positive downwind.
     pub cone_rad: f64,
     /// The axes of the shaft: along it downwind, to the left, upwards.
     pub shaft_axes: [Place; 3],
@@ -46,12 +47,11 @@ pub struct WhirlAnimation {
 /// A mode of an animated turbine.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AnimatedWhirl {
-    /// Place in the list of modes, from 1.
+    /// Number in the list of modes, from 1.
     pub number: usize,
-    /// Its name, at standstill with what it does to the nacelle: "1st flapwise backward whirl
-    /// (yaw)".
+    /// Its name, at standstill with the motion of the nacelle: "1st flapwise backward whirl (yaw)".
     pub label: String,
-    /// Natural frequency in axes that do not turn, Hz.
+    /// Natural frequency in the fixed frame, Hz.
     pub frequency_hz: f64,
     /// Translation of each section of the tower: x, y, z.
     pub tower: Vec<Vec<f64>>,
@@ -64,10 +64,11 @@ pub struct AnimatedWhirl {
 /// A motion of the blades a·e^(−i n ψ), with the azimuth ψ of the blade.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AnimatedHarmonic {
-    /// The number n of waves around the rotor: 0 if all blades move alike, positive for a wave that
-    /// runs with the rotation.
+    /// The number n of waves around the rotor: 0 if all blades move in phase, positive for a wave
+    /// that travels with the rotation.
     pub waves: isize,
-    /// Translation of each section with the hub's: along the shaft, against the rotation, radial.
+    /// Translation of each section including that of the hub: along the shaft, against the
+    /// rotation, radial.
     pub motion: Vec<Vec<f64>>,
 }
 
@@ -117,7 +118,7 @@ fn animated(number: usize, mode: &TurbineMode, heights: usize) -> AnimatedWhirl 
     }
 }
 
-/// The motions of blades that are not zero.
+/// The motions of the blades that are not zero.
 fn harmonics(sections: &[BladeDeflection]) -> Vec<AnimatedHarmonic> {
     let waves = sections.first().map_or(0, |section| section.waves);
     let all = [0, 1, -1, waves].into_iter().enumerate();
@@ -132,18 +133,18 @@ fn harmonics(sections: &[BladeDeflection]) -> Vec<AnimatedHarmonic> {
     all.map(of).filter(moves).collect()
 }
 
-/// Real and imaginary parts in turn.
+/// Real and imaginary parts alternating.
 fn parts(amplitudes: &[Complex], digits: impl Fn(f64) -> f64) -> Vec<f64> {
     let parts = amplitudes.iter().flat_map(|a| [a.re, a.im]);
     parts.map(digits).collect()
 }
 
-/// As finely as a picture shows.
+/// An amplitude rounded to [`FINEST`].
 fn short(amplitude: f64) -> f64 {
     five_digits((amplitude / FINEST).round() * FINEST)
 }
 
-/// The corners of a box around the tower top that reaches to the hub.
+/// The corners of a box around the tower top that extends to the hub.
 fn nacelle(turbine: &Turbine) -> Vec<Place> {
     let (tower, machine) = (turbine.tower(), turbine.machine());
     let top_m = tower.top_m();

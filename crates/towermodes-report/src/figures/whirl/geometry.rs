@@ -1,4 +1,4 @@
-//! Where the points of a turning turbine are, at rest and in a mode.
+//! The positions of the points of a turbine with rotating rotor, at rest and in a mode.
 
 use towermodes::turbine::Complex;
 use towermodes::turbine::{BladeDeflection, TowerMotion, Turbine};
@@ -6,8 +6,7 @@ use towermodes::turbine::{BladeDeflection, TowerMotion, Turbine};
 /// A point in the axes of the tower: x downwind, y left, z up, m.
 pub(super) type Place = [f64; 3];
 
-/// A moment of a mode: its phase w t, how far the rotor has turned, and what deflections are
-/// multiplied by.
+/// A moment of a mode: the phase w t, the azimuth of the rotor, and the factor on deflections.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Moment {
     /// Phase of the mode, rad.
@@ -25,14 +24,14 @@ pub(super) struct Geometry {
     pub apex_m: Place,
     /// The axes of the shaft: along it downwind, to the left, upwards.
     pub axes: [Place; 3],
-    /// The cone, rad.
+    /// The cone angle, rad.
     pub cone_rad: f64,
     /// Number of blades.
     pub blades: usize,
 }
 
 impl Geometry {
-    /// That of a turbine.
+    /// The geometry of a turbine.
     pub fn new(turbine: &Turbine) -> Self {
         let machine = turbine.machine();
         let (sin, cos) = machine.tilt_rad.sin_cos();
@@ -46,7 +45,7 @@ impl Geometry {
         }
     }
 
-    /// The azimuths of the blades when the first has one; 0 is up.
+    /// The azimuths of all blades for an azimuth of the first; 0 is up.
     pub fn azimuths(&self, first_rad: f64) -> Vec<f64> {
         let step = std::f64::consts::TAU / self.blades as f64;
         (0..self.blades)
@@ -70,7 +69,7 @@ impl Geometry {
         std::array::from_fn(at)
     }
 
-    /// A point of a blade in a mode. Its deflection has the motion of the hub.
+    /// A point of a blade in a mode. Its deflection includes the motion of the hub.
     pub fn deflected(&self, section: &BladeDeflection, azimuth_rad: f64, moment: &Moment) -> Place {
         let rest = self.at_rest(section.radius_m, azimuth_rad);
         let motion = section.at(azimuth_rad).map(|a| moment.real(a));
@@ -86,7 +85,7 @@ impl Moment {
         self.scale_m * (amplitude.re * cos - amplitude.im * sin)
     }
 
-    /// Where a section of the tower is.
+    /// The position of a section of the tower.
     pub fn of_tower(&self, section: &TowerMotion) -> Place {
         let [x, y, z, ..] = section.motion.map(|a| self.real(a));
         [x, y, section.height_m + z]
@@ -100,8 +99,8 @@ mod tests {
 
     use super::{Geometry, Moment};
 
-    /// The hub moves to the left by Re(e^(i w t)): in the axes of a blade (0, cos ψ, −sin ψ), which
-    /// as waves e^(−iψ) and e^(iψ) are (0, 1/2, −i/2) and (0, 1/2, i/2).
+    /// The hub moves to the left by Re(e^(i w t)): in the axes of a blade this is (0, cos ψ, −sin
+    /// ψ), as waves e^(−iψ) and e^(iψ) it is (0, 1/2, −i/2) and (0, 1/2, i/2).
     #[test]
     fn blades_of_a_hub_that_moves_to_the_left_do_so_at_every_azimuth() {
         let (sin, cos) = 0.1_f64.sin_cos();

@@ -1,4 +1,5 @@
-//! The modes of a turbine with its turning rotor: stills of each, and the data that animate them.
+//! The modes of a turbine with rotating rotor: still pictures of each, and the data for their
+//! animation.
 
 mod animation;
 mod geometry;
@@ -21,15 +22,15 @@ const MOST_MODES: usize = 18;
 const COLUMNS: usize = 3;
 /// Width of the sheet.
 const WIDTH: f64 = 900.0;
-/// Left edge of the first panel, and from panel to panel.
+/// Left edge of the first panel, and distance between panels.
 const GAPS: (f64, f64) = (12.0, 10.0);
-/// Above the panels and below them.
+/// Room above and below the panels.
 const ENDS: (f64, f64) = (10.0, 44.0);
-/// The largest deflection of a still, in heights of the tower.
+/// The largest deflection in a still picture, as a fraction of the tower height.
 const REACH: f64 = 0.1;
 
-/// The modes of a turbine at a speed of its rotor: for each two stills a quarter of a period apart,
-/// from the side and from downwind. At most 18 modes are drawn.
+/// The modes of a turbine at a rotor speed: for each mode two still pictures a quarter of a period
+/// apart, from the side and from downwind. At most 18 modes are drawn.
 pub fn whirl(turbine: &Turbine, modes: &TurbineModes) -> Figure {
     let drawn = modes.modes.len().min(MOST_MODES);
     let rows = drawn.div_ceil(COLUMNS).max(2);
@@ -56,14 +57,14 @@ pub fn whirl(turbine: &Turbine, modes: &TurbineModes) -> Figure {
     }
 }
 
-/// What the lines mean.
+/// The notes on the meaning of the lines.
 fn notes(modes: &TurbineModes) -> [String; 2] {
     let left_out = match modes.modes.len().saturating_sub(MOST_MODES) {
         0 => String::new(),
         more => format!(" The {more} modes above are not drawn."),
     };
     let arrow = match modes.rotor_speed_rpm > 0.0 {
-        true => ", the arrow is the rotation of the rotor",
+        true => ", the arrow shows the direction of rotation",
         false => "",
     };
     [
@@ -84,7 +85,8 @@ fn tower_heights(turbine: &Turbine, modes: &TurbineModes) -> Vec<f64> {
     }
 }
 
-/// At most so many of a list, the first and the last among them, at about equal distances.
+/// At most this number of elements of a list at about equal distances, including the first and the
+/// last.
 fn few<T: Clone>(all: &[T], most: usize) -> Vec<T> {
     if all.len() <= most {
         return all.to_vec();

@@ -1,4 +1,4 @@
-//! The figure of the modes of a turning turbine in words and as a table.
+//! The figure of the modes of a turbine with rotating rotor, as text and as a table.
 
 use towermodes::tower::Rpm;
 use towermodes::turbine::Complex;
@@ -26,7 +26,7 @@ fn speed(modes: &TurbineModes) -> Rpm {
     Rpm(modes.rotor_speed_rpm)
 }
 
-/// The figure in words.
+/// The figure as text.
 pub(super) fn description(modes: &TurbineModes) -> String {
     let named = modes.modes.iter().take(MOST_NAMED);
     let named = named.map(|mode| {
@@ -77,7 +77,7 @@ fn row(mode: &TurbineMode) -> Vec<String> {
     name.into_iter().chain(sizes.map(size)).collect()
 }
 
-/// The size of an amplitude; far below the largest, 1, it is zero.
+/// The absolute value of an amplitude; zero if it is far below the largest, which is 1.
 fn size(amplitude: Complex) -> String {
     let size = amplitude.re.hypot(amplitude.im);
     short(if size < 5e-4 { 0.0 } else { size }, 3)

@@ -1,4 +1,4 @@
-//! Two stills of a mode, from the side and from downwind.
+//! Two still pictures of a mode, from the side and from downwind.
 
 use std::f64::consts::TAU;
 
@@ -14,23 +14,24 @@ use crate::svg::{Colour, Dash, Drawing, Stroke, TextStyle};
 pub(super) const PANEL: (f64, f64) = (285.0, 264.0);
 /// Room above the views for name and frequency.
 const HEADING: f64 = 34.0;
-/// Between the views, and between panels.
+/// Distance between the views, and between panels.
 const GAP: f64 = 8.0;
 /// Radius of the arrow of rotation.
 const ARROW: f64 = 26.0;
-/// Points around the rotor.
+/// Number of points around the rotor.
 const AROUND: usize = 36;
 
-/// What all panels share: the turbine at rest, and the scale.
+/// Common data of all panels: the turbine at rest, and the scale.
 pub(super) struct Scene {
     geometry: Geometry,
     heights_m: Vec<f64>,
     speed_rad_per_s: f64,
     reach_m: f64,
-    /// Pixels of a metre.
+    /// Pixels per metre.
     per_m: f64,
-    /// The least and the largest x, y and z, m.
+    /// The smallest x, y and z, m.
     low: Place,
+    /// The largest x, y and z, m.
     high: Place,
 }
 
@@ -52,7 +53,7 @@ impl View {
 }
 
 impl Scene {
-    /// That of a turbine; the largest deflection is `reach` of the tower's height.
+    /// The scene of a turbine; the largest deflection is the fraction `reach` of the tower height.
     pub fn new(turbine: &Turbine, modes: &TurbineModes, reach: f64) -> Self {
         let geometry = Geometry::new(turbine);
         let heights_m = tower_heights(turbine, modes);
@@ -87,7 +88,7 @@ impl Scene {
         }
     }
 
-    /// The moment of a mode a number of periods after its largest deflection.
+    /// The moment of a mode this number of periods after its largest deflection.
     fn after(&self, periods: f64, mode: &TurbineMode) -> Moment {
         let frequency_hz = mode.frequency.frequency_hz;
         let seconds = match frequency_hz > 0.0 {
@@ -157,7 +158,8 @@ fn draw_view(
     }
 }
 
-/// An arrow around the hub in the view from downwind: the rotor rotates counterclockwise there.
+/// Draws an arrow around the hub in the view from downwind, where the rotor rotates
+/// counterclockwise.
 fn draw_rotation(drawing: &mut Drawing, scene: &Scene, [left, top]: [f64; 2]) {
     if scene.speed_rad_per_s == 0.0 {
         return;
@@ -181,7 +183,7 @@ fn draw_rotation(drawing: &mut Drawing, scene: &Scene, [left, top]: [f64; 2]) {
     drawing.polygon(&head, Colour::Ink, None);
 }
 
-/// Tower and blades at rest, the first blade up: straight lines.
+/// Tower and blades at rest as straight lines, with the first blade up.
 fn undeformed(scene: &Scene, mode: &TurbineMode) -> Vec<Vec<Place>> {
     let ends = |all: &[f64]| few(all, 2);
     let tower = ends(&scene.heights_m).into_iter();
@@ -218,7 +220,7 @@ fn deformed(scene: &Scene, mode: &TurbineMode, moment: &Moment) -> Vec<Vec<Place
     .collect()
 }
 
-/// Where the tip of a blade is at each azimuth.
+/// The positions of the blade tip at all azimuths.
 fn ring_of(scene: &Scene, mode: &TurbineMode, moment: &Moment) -> Vec<Place> {
     let Some(tip) = mode.shape.blades.last() else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! The animated modes of a tower, and of a turbine with its turning rotor.
+//! The animated modes of a tower, and of a turbine with rotating rotor.
 
 use serde::Serialize;
 
@@ -7,17 +7,17 @@ use crate::figures::{AnimationData, Body, Substance, WhirlAnimation};
 use crate::number::four_digits;
 use crate::report::error::ReportError;
 
-/// How many modes are chosen at first.
+/// Number of modes that are selected at first.
 const CHOSEN: usize = 2;
 
 const SCALE: &str = "Height and diameter are to the same scale.";
 const NOMINAL_SCALE: &str = "Heights are to scale; the input has no diameter, so the width shown is the width of a steel tube with the same bending stiffness and a wall thickness of 1/200 of its diameter, to the same scale.";
 
-/// The words of an animation.
+/// The texts of an animation.
 struct Words<'a> {
     id: &'a str,
     title: &'a str,
-    /// Where a reader without JavaScript sees the modes.
+    /// The place where a reader without JavaScript finds the modes.
     instead: &'a str,
     noun: &'a str,
     remark: String,
@@ -89,7 +89,7 @@ fn section(
     ))
 }
 
-/// The box that chooses a mode.
+/// The check box of a mode.
 fn of_mode(id: &str, index: usize, (number, label, hz): &Named<'_>, is_chosen: bool) -> String {
     let checked = if is_chosen { " checked" } else { "" };
     let label = text(&format!("{label}, {hz} Hz"));
@@ -115,7 +115,7 @@ fn chosen(data: &WhirlAnimation) -> Vec<usize> {
     }
 }
 
-/// How the motions on the page relate to those of the turbine.
+/// The relation of the motions on the page to those of the turbine.
 fn motion(data: &WhirlAnimation) -> String {
     match data.rotor_speed_rpm > 0.0 {
         true => format!(

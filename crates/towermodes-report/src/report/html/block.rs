@@ -75,14 +75,14 @@ fn saved_name(name: &str) -> &str {
     }
 }
 
-/// A picture with a reference to its numbers.
+/// A picture with a reference to its data.
 fn of_picture(picture: &Picture) -> String {
     let Picture { figure, number, .. } = picture;
     let (title, description) = (text(&figure.title), text(&figure.description));
     let svg = figure.to_svg(Look::Inline);
     let numbers = match picture.is_tabulated {
-        true => "Its numbers are in the tables of this section.".to_owned(),
-        false => format!("<a href=\"#numbers-{number}\">Numbers of figure {number}</a>."),
+        true => "The tables of this section contain its data.".to_owned(),
+        false => format!("<a href=\"#numbers-{number}\">Data of figure {number}</a>."),
     };
     format!(
         "<figure>\n\
@@ -93,7 +93,7 @@ fn of_picture(picture: &Picture) -> String {
     )
 }
 
-/// The numbers of a picture.
+/// The data of a picture.
 fn of_numbers(numbers: &Numbers) -> String {
     let Numbers {
         picture,

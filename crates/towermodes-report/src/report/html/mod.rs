@@ -1,7 +1,7 @@
 //! The report as one self-contained page.
 //!
-//! `page.html` and `animation.html` are format strings: every text of the input comes through
-//! [`text()`], which escapes it.
+//! `page.html` and `animation.html` are format strings: every text of the input is escaped by
+//! [`text()`] before it is inserted.
 
 mod animation;
 mod block;
@@ -14,13 +14,13 @@ use super::mark::{Mark, printable};
 use super::sections::document;
 use crate::svg::{Colour, Theme, stylesheet};
 
-/// The rules of the page, without colours.
+/// The style rules of the page, without colours.
 const STYLE: &str = include_str!("style.css");
 /// The script of the page, built from the folder `page/` of the repository.
 const SCRIPT: &str = include_str!("../../built/report.js");
 
-/// The report as one page of HTML: no other file, nothing from a network; the same content gives
-/// the same bytes.
+/// The report as one page of HTML without other files and without network access; the same content
+/// gives the same bytes.
 ///
 /// All texts of the user are escaped.
 ///
@@ -49,7 +49,8 @@ pub fn html(content: &ReportContent) -> Result<String, ReportError> {
     ))
 }
 
-/// A text as HTML shows it, in elements and in attributes; without hidden or forging characters.
+/// A text escaped for HTML elements and attributes; without characters that are invisible or could
+/// forge content.
 fn text(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in printable(text).chars() {
@@ -84,7 +85,7 @@ fn title_block(document: &Document) -> String {
     }
 }
 
-/// A term with what belongs to it, which is HTML already.
+/// A term with its description, which is already HTML.
 fn definition(term: &str, html: &str) -> String {
     format!("<div><dt>{}</dt><dd>{html}</dd></div>", text(term))
 }
@@ -116,14 +117,14 @@ fn of_section(mark: &str, section: &Section) -> Result<String, ReportError> {
     ))
 }
 
-/// The rules of the page: colours, what pictures look like, everything else.
+/// The style rules of the page: colours, appearance of pictures, all others.
 fn style() -> String {
     page_colours() + STYLE
 }
 
 /// The colours of pages as style rules: the variables `--tm-…` of both themes (that of the system,
-/// or the attribute `data-theme` of the page: `light`, `dark`, `auto`), and what the pictures of
-/// [`Look::Inline`](crate::svg::Look::Inline) look like.
+/// or the attribute `data-theme` of the page: `light`, `dark`, `auto`), and the appearance of the
+/// pictures of [`Look::Inline`](crate::svg::Look::Inline).
 pub fn page_colours() -> String {
     let (light, dark) = (variables(Theme::Light), variables(Theme::Dark));
     let pictures = stylesheet("svg ", |colour| format!("var(--tm-{})", colour.name()));

@@ -10,12 +10,13 @@ const SHORT: usize = 24;
 const LONG_NUMBER: usize = 24;
 /// Texts with more characters have a width of their own.
 const LONG_TEXT: usize = 40;
-/// Numbers of pictures with more columns are several tables: paper has no room for one.
+/// Data of pictures with more columns are divided into several tables, because they do not fit on
+/// paper.
 const WIDE: usize = 14;
 /// Units with at most this number of characters are not broken across lines.
 const UNIT: usize = 12;
 
-/// A table of a section; a long one is shown in brief, with all of its rows folded away.
+/// A table of a section; a long one is shown shortened, with all of its rows in a collapsed part.
 pub(super) fn of_table(table: &Table) -> String {
     let caption = format!("Table {}. {}.", table.number, table.caption);
     let all: Vec<String> = (table.rows.iter())
@@ -40,7 +41,8 @@ pub(super) fn of_table(table: &Table) -> String {
     )
 }
 
-/// The numbers of a picture; many columns in tables below each other, each with the first column.
+/// The data of a picture; many columns are divided into tables below each other, each with the
+/// first column.
 pub(super) fn of_data(number: usize, title: &str, data: &DataTable) -> String {
     let is_number = |index: usize| data.rows.iter().all(|row| is_number(row.get(index)));
     let column = |(index, name): (usize, &String)| Column {
@@ -52,7 +54,7 @@ pub(super) fn of_data(number: usize, title: &str, data: &DataTable) -> String {
         0 => String::new(),
         left_out => format!(" ({left_out} more rows are left out)"),
     };
-    let caption = format!("Numbers of figure {number}. {title}{note}");
+    let caption = format!("Data of figure {number}. {title}{note}");
     let Some((first, others)) = columns.split_first().filter(|_| columns.len() > WIDE) else {
         return of_columns(&format!("{caption}."), &columns, |row| row.to_vec(), data);
     };
@@ -76,7 +78,7 @@ pub(super) fn of_data(number: usize, title: &str, data: &DataTable) -> String {
     others.chunks(size).enumerate().map(part).collect()
 }
 
-/// Columns of the numbers of a picture; `cells` picks theirs from a row.
+/// Some columns of the data of a picture; `cells` selects their cells from a row.
 fn of_columns(
     caption: &str,
     columns: &[Column],
@@ -90,7 +92,7 @@ fn of_columns(
     scrolling(caption, columns, &rows.collect::<String>(), data.rows.len())
 }
 
-/// A table that can be scrolled sideways; its rows are HTML already.
+/// A table that can be scrolled sideways; its rows are already HTML.
 fn scrolling(caption: &str, columns: &[Column], rows: &str, count: usize) -> String {
     let caption = text(caption);
     let short = if count <= SHORT { " short" } else { "" };
@@ -111,7 +113,7 @@ fn scrolling(caption: &str, columns: &[Column], rows: &str, count: usize) -> Str
     )
 }
 
-/// The name of a column with spaces within its units that do not break lines: "inertia (kg m²)".
+/// The name of a column with non-breaking spaces within its units: "inertia (kg m²)".
 fn unbroken_units(name: &str) -> String {
     let parts = name.split_inclusive(')').map(|part| match part.rfind('(') {
         Some(at) if part[at..].chars().count() <= UNIT => {
@@ -130,7 +132,7 @@ fn of_row(columns: &[Column], cells: &[Cell]) -> String {
     format!("<tr>{}</tr>\n", cells.collect::<String>())
 }
 
-/// The row in place of rows that are not shown.
+/// The row that replaces rows that are not shown.
 fn of_gap(columns: &[Column]) -> String {
     let cells = vec![Cell::from("\u{2026}"); columns.len()];
     of_row(columns, &cells).replacen("<tr>", "<tr class=\"gap\">", 1)
@@ -155,7 +157,7 @@ fn of_cell(column: &Column, cell: &Cell, is_first: bool) -> String {
     }
 }
 
-/// "all 41 rows", or how many at each end where there are more than a report has.
+/// "all 41 rows", or the number at each end if there are more than a report contains.
 fn all_name(table: &Table) -> String {
     match table.left_out {
         0 => format!("all {} rows", table.rows.len()),

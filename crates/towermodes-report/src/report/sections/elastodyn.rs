@@ -111,7 +111,7 @@ fn left_out(mode: &PassedOver) -> String {
     )
 }
 
-/// With the decimals of the command that writes the tower file.
+/// A frequency with as many decimals as in the output of the command that writes the tower file.
 fn hertz(value: f64) -> String {
     format!("{value:.5}")
 }

@@ -31,8 +31,8 @@ pub(super) fn foundation(description: &TowerDescription, tower: &Tower) -> Vec<B
     }
 }
 
-/// The values of a foundation by closed form, what follows from them, and its stiffness: as springs
-/// if it is the same in both planes.
+/// The values of a foundation by closed form, the derived values, and its stiffness: as springs if
+/// it is the same in both planes.
 fn of_form(form: &dyn ClosedForm) -> Vec<Block> {
     let derived = form.derived().into_iter();
     let derived = derived.map(|(name, value, places)| (name.to_owned(), digits(value, places)));
@@ -103,7 +103,7 @@ fn floating(given_platform: &FloatingPlatform, tower: &Tower) -> Vec<Block> {
     blocks
 }
 
-/// Weights, buoyancy and lines, what is left of them, and where they are in balance.
+/// Weights, buoyancy and lines, the residual, and the position in equilibrium.
 fn static_balance(tower: &Tower) -> Vec<Block> {
     let Some(balance) = tower.static_balance() else {
         return vec![paragraph(

@@ -46,7 +46,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     blocks
 }
 
-/// Why the effective masses have no sum, if so.
+/// Why the effective masses have no sum, if this is the case.
 fn no_sum(solution: &Solution) -> &'static str {
     match solution.effective_mass_shares() {
         Some(_) => "",
@@ -131,7 +131,7 @@ fn how(content: &ReportContent) -> String {
     )
 }
 
-/// The hinge position, if the user changed it from that of the method.
+/// The hinge position, if the user changed it.
 pub(super) fn hinges(method: Method, options: &Options) -> String {
     let position = options.hinge_position;
     if method != Method::Cardanic || position == GAUSS_HINGE_POSITION {
@@ -143,7 +143,7 @@ pub(super) fn hinges(method: Method, options: &Options) -> String {
     )
 }
 
-/// The estimates and bounds of the errors, and their limits.
+/// The estimates and bounds of the errors, and the limitations of the estimates.
 fn errors(solution: &Solution) -> String {
     let source = match solution.method {
         Method::Spectral => {
@@ -159,7 +159,8 @@ fn errors(solution: &Solution) -> String {
     )
 }
 
-/// How the discretization errors of a method with segments or elements were estimated.
+/// The method by which the discretization errors were estimated, for a method with segments or
+/// elements.
 fn discretization(solution: &Solution) -> String {
     let parts = [from_meshes(solution), from_reference(solution)];
     let parts: Vec<String> = parts.into_iter().flatten().collect();

@@ -6,10 +6,10 @@ use super::super::table::Table;
 use super::inputs::{in_short, of_inputs};
 use crate::number::{given, length};
 
-/// More layers are not shown.
+/// Largest number of layers that are shown.
 const MOST_LAYERS: usize = 50;
 
-/// The ground as a whole, its layers, and the springs that follow from them.
+/// The ground as a whole, its layers, and the resulting springs.
 pub(super) fn ground(ground: &Ground, names: &[String], tower: &Tower) -> Vec<Table> {
     let mut tables = vec![
         of_inputs("Soil in layers", ground, []),
@@ -41,7 +41,8 @@ fn springs(tower: &Tower) -> Table {
     table.without_empty_columns().shortened()
 }
 
-/// The height of springs, and their stiffness across, along, for rotation across and torsion.
+/// The height of springs, and their stiffness in lateral and axial direction, for lateral rotation
+/// and for torsion.
 fn cells(springs: &SpringsAt) -> [String; 5] {
     [
         length(springs.height_m),

@@ -43,8 +43,9 @@ pub(super) fn of_list(caption: &str, all: &[impl Inputs], names: &[String]) -> T
     table.named(names).shortened()
 }
 
-/// The numbers of a table in a few words, each with its symbol, or with its name where it has none:
-/// "φ′ 35°". Heights, which a table has in columns of their own, and names are not among them.
+/// The values of a table as a short text, each with its symbol, or with its name if it has no
+/// symbol: "φ′ 35°". Names, and heights, which have their own columns in the table, are not
+/// included.
 pub(super) fn in_short(inputs: &dyn Inputs) -> Vec<String> {
     let values = given_inputs(inputs).into_iter();
     let texts = values.filter_map(|(input, given)| {

@@ -27,11 +27,12 @@ use super::document::{Block, Document, Picture, Section};
 use super::table::Table;
 use crate::svg::Figure;
 
-/// What headings of the model with a rigid rotor add where a model with a flexible one governs.
+/// The addition to the headings of the model with a rigid rotor if the model with a flexible rotor
+/// governs.
 const RIGID: &str = " (rigid rotor)";
 
-/// The whole report: the results that decide, then what they are based on, and at the end the
-/// details for a checker.
+/// The whole report: first the main results, then their basis, and at the end the details for a
+/// checker.
 pub(super) fn document(content: &ReportContent) -> Document {
     let title_block = content.circumstances.title_block.given().into_iter();
     let document = Document {
@@ -47,7 +48,7 @@ pub(super) fn document(content: &ReportContent) -> Document {
     with_numbers(document.numbered())
 }
 
-/// The document with the numbers of its pictures in an appendix.
+/// The document with the data of its pictures in an appendix.
 fn with_numbers(mut document: Document) -> Document {
     let blocks: Vec<Block> = document.numbers().into_iter().map(Block::Numbers).collect();
     if !blocks.is_empty() {
@@ -123,8 +124,8 @@ fn section(id: &'static str, title: String, blocks: Vec<Block>) -> Section {
     }
 }
 
-/// A section on the tower with the rotor-nacelle assembly as a rigid body, which its title says
-/// where another section has the turbine with its flexible rotor.
+/// A section on the tower with a rigid rotor-nacelle assembly; its title states this if another
+/// section describes the turbine with its flexible rotor.
 fn of_rigid(content: &ReportContent, id: &'static str, title: &str, blocks: Vec<Block>) -> Section {
     let model = match &content.turbine {
         Some(Ok(_)) => RIGID,
@@ -151,7 +152,7 @@ fn picture(figure: Figure, what: &'static str) -> Block {
     }))
 }
 
-/// The same for a picture whose numbers are in the tables of its section.
+/// As [`picture`], for a picture whose data are in the tables of its section.
 fn tabulated_picture(figure: Figure, what: &'static str) -> Block {
     Block::Picture(Box::new(Picture {
         figure,
@@ -161,7 +162,7 @@ fn tabulated_picture(figure: Figure, what: &'static str) -> Block {
     }))
 }
 
-/// A picture that only reports have.
+/// A picture that `towermodes plot` does not draw.
 fn own_picture(figure: Figure) -> Block {
     Block::Picture(Box::new(Picture {
         figure,

@@ -7,7 +7,7 @@ use super::super::document::Block;
 use super::{paragraph, picture};
 use crate::figures;
 
-/// The largest number of animated modes, so that a page does not have megabytes.
+/// The largest number of animated modes, to limit the size of the page.
 const MOST_ANIMATED: usize = 100;
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {

@@ -109,7 +109,7 @@ fn classes(campbell: &Campbell) -> String {
     let class = |(family, class): &(Family, StiffnessClass)| {
         let class = match class {
             StiffnessClass::Coincident { multiple } => {
-                format!("no class, because {multiple}P crosses it in operation")
+                format!("no class, because {multiple}P crosses its frequency in operation")
             }
             class => class.name().to_owned(),
         };
@@ -124,7 +124,7 @@ fn classes(campbell: &Campbell) -> String {
     )
 }
 
-/// Every pair of an excitation and a line of a diagram.
+/// The table of all pairs of an excitation and a line of a diagram.
 pub(super) fn margins(campbell: &Campbell, caption: &str) -> Table {
     let mut table = Table::new(
         caption,
@@ -155,8 +155,8 @@ pub(super) fn margins(campbell: &Campbell, caption: &str) -> Table {
     table.with_only(which, |row| campbell.margins[row].is_near())
 }
 
-/// In percent; 0 if the excitation crosses the natural frequency. A pair that warns because its
-/// mode is missing at higher speeds says so.
+/// The distance in percent; 0 if the excitation crosses the natural frequency. If a pair warns
+/// because its mode is missing at higher speeds, the text states this.
 pub(super) fn distance(campbell: &Campbell, margin: &Margin) -> String {
     if let Some(rpm) = campbell.missing_from_rpm(margin) {
         return format!("no mode from {} rpm", four_digits(rpm));
@@ -167,7 +167,7 @@ pub(super) fn distance(campbell: &Campbell, margin: &Margin) -> String {
     }
 }
 
-/// The meaning of the verdicts, or what they need.
+/// The meaning of the verdicts, or the data that they need.
 pub(super) fn meaning(campbell: &Campbell) -> Vec<Block> {
     if campbell.not_checked.is_empty() {
         return vec![Block::List(verdicts(campbell))];

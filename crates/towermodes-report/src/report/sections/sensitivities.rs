@@ -1,4 +1,4 @@
-//! The influence of the numbers on the frequencies.
+//! The influence of the input values on the frequencies.
 
 use towermodes::Operation;
 use towermodes::number::{Plain, four_digits};
@@ -11,9 +11,9 @@ use super::{own_picture, paragraph, table};
 use crate::figures;
 use crate::number::NOTHING;
 
-/// More columns do not fit on a page of paper.
+/// Largest number of modes, because more columns do not fit on paper.
 const MODES: usize = 4;
-/// More rows are not read.
+/// Largest number of rows.
 const ROWS: usize = 40;
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
@@ -56,7 +56,7 @@ fn elasticities(influences: &Influences) -> Table {
     table
 }
 
-/// A step has no value of its own.
+/// The value in the table; the value of a step is omitted.
 fn value(number: &Influence) -> String {
     match number.operation {
         Operation::Add => NOTHING.to_owned(),

@@ -82,7 +82,7 @@ fn cells(band: &SoilBand, mode: &BandMode, place: usize, has_verdicts: bool) -> 
     cells
 }
 
-/// Which verdicts depend on the soil.
+/// The sentence on which verdicts depend on the soil.
 fn conclusion(band: &SoilBand) -> Option<String> {
     if !band.has_verdicts() {
         return None;

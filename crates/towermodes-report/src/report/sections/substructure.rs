@@ -123,7 +123,7 @@ fn material(member: &FrameMember) -> Option<Material> {
     }
 }
 
-/// What a member is, its size, its wall and its stiffness.
+/// The type of a member, its size, its wall thickness and its stiffness.
 fn section(member: &FrameMember) -> [String; 4] {
     let mm = |value_m: f64| given(1e3 * value_m);
     let texts = |kind: &str, size: String, wall: String, stiffness: String| {
@@ -176,7 +176,7 @@ fn section(member: &FrameMember) -> [String; 4] {
     }
 }
 
-/// "1.2", or "1.2 to 1.8" where the ends differ.
+/// "1.2", or "1.2 to 1.8" if the ends differ.
 fn taper([from, to]: [String; 2]) -> String {
     if from == to {
         from

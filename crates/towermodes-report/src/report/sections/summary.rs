@@ -31,7 +31,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     blocks
 }
 
-/// The table of the governing model.
+/// The verdict table of the governing model.
 fn verdict_table(
     content: &ReportContent,
     turbine: Option<&TurbineResults>,
@@ -61,7 +61,7 @@ fn verdict_table(
     verdicts::without_verdicts(&first, caption)
 }
 
-/// A part of the turbine that the model lacks; the summary begins with it.
+/// The statement on a part of the turbine that the model lacks; the summary begins with it.
 fn missing_part(note: &str) -> Statement {
     Statement {
         lead: "Not in the model",
@@ -70,7 +70,7 @@ fn missing_part(note: &str) -> Statement {
     }
 }
 
-/// Whether the model has a rotor-nacelle assembly, or a mass at the tower top in its place.
+/// Whether the model has a rotor-nacelle assembly, or a mass at the tower top instead.
 fn has_rna(content: &ReportContent) -> bool {
     let tower = &content.tower;
     let mut masses = tower.point_masses().iter();
@@ -116,7 +116,7 @@ fn resonance(content: &ReportContent, campbell: Option<&Campbell>) -> Statement 
     }
 }
 
-/// Which of two models governs, and the verdict of the other.
+/// The statement which of two models governs, and the verdict of the other.
 fn models(rigid: Option<&Campbell>) -> Statement {
     let other = rigid.filter(|campbell| campbell.not_checked.is_empty());
     let other = other.map(|campbell| {
@@ -142,7 +142,7 @@ fn models(rigid: Option<&Campbell>) -> Statement {
     }
 }
 
-/// How many pairs were checked, and how many of them pass, warn and fail.
+/// The number of pairs checked, and how many of them pass, warn and fail.
 fn counts(campbell: &Campbell) -> String {
     let [pass, warn, fail] = verdict_counts(campbell);
     let (modes, unchecked) = match has_blade(campbell) {
@@ -156,7 +156,7 @@ fn counts(campbell: &Campbell) -> String {
     )
 }
 
-/// A limit of the conclusion: parts that would change it are missing.
+/// A limitation of the conclusion: missing parts that would change it.
 fn caveat(content: &ReportContent) -> &'static str {
     match (
         has_rna(content),

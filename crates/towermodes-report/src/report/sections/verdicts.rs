@@ -1,5 +1,5 @@
 //! The table of the summary: the first modes and those with a warning, each with the excitation
-//! that decides its verdict.
+//! that determines its verdict.
 
 use towermodes::tower::Rpm;
 use towermodes::turbine::{TurbineModeName, TurbinePart};
@@ -50,8 +50,8 @@ pub(super) fn without_verdicts(first: &[&Mode], caption: &str) -> Table {
     table
 }
 
-/// The first modes of tower and drivetrain of a turbine without verdicts, at the highest speed of
-/// its rotor.
+/// The first modes of tower and drivetrain of a turbine without verdicts, at the highest rotor
+/// speed.
 pub(super) fn of_unjudged_turbine(coupled: &CoupledCampbell) -> Table {
     let rpm = coupled.campbell.rotor.highest_rpm;
     let caption = format!("First modes of the turbine at {} rpm", Rpm(rpm));
@@ -66,7 +66,7 @@ pub(super) fn of_unjudged_turbine(coupled: &CoupledCampbell) -> Table {
 }
 
 /// The first modes of a diagram and those that do not pass, each with its worst verdict and the
-/// excitation that it belongs to. `is_first` picks the first modes.
+/// corresponding excitation. `is_first` selects the first modes.
 pub(super) fn of_diagram(
     campbell: &Campbell,
     caption: &str,

@@ -26,7 +26,7 @@ const HEAVY: Effects = Effects {
     ..WET
 };
 
-/// Why digits of modes to the side are left out.
+/// Why digits of side-side modes are omitted.
 pub(super) const SIDEWAYS: &str = "Differing digits of side-side modes are omitted: in the source the weight of the eccentric rotor-nacelle assembly couples roll and yaw, but its bending moment in the tower is neglected. The case \"eccentric RNA, g = 9.81\" of this manual has two independent solutions with that moment.";
 const ON_ARM: &str = "An additional spring compensates for an effect that the source neglects: the P-Delta effect of the weight of the tower over the rigid 2 m between the reference point of the transition piece and the base of the tower. Without the spring the first frequency is lower by 5e-5. Differing digits of side-side modes are omitted, as for the monopile.";
 const ON_LINKS: &str = "An additional spring compensates for an effect that the source neglects: the P-Delta effect of the weights of tower and transition piece between the interface joints, 2 m below the reference point, and the points where the weights act. Without the spring the first frequency is lower by 1e-4. Differing digits are omitted: the spring has no term for the horizontal forces of the legs.";
@@ -110,10 +110,10 @@ fn of(name: String, tower: TowerDescription, remark: &'static str, values: &str)
     case(name, remark, Subject::tower(tower), expected, 1e-10)
 }
 
-/// The same with a spring that undoes what the source leaves out: the weight of the tower turns
-/// over on the stretch from the reference point of the transition piece to its base. With weight
-/// on members, forces in rigid links turn over too: the weight of tower and transition piece, from
-/// the interface joints to the reference point.
+/// The tower with an additional spring that cancels a moment which the source omits: the weight of
+/// the tower on the arm from the reference point of the transition piece to the tower base. With
+/// weight on members it also cancels the moment of forces in rigid links: the weight of tower and
+/// transition piece on the arm from the interface joints to the reference point.
 fn without_arm(mut tower: TowerDescription) -> TowerDescription {
     let checked = Tower::new(tower.clone()).expect("a tower of the manual");
     let weight_n = (checked.mass_kg() + checked.rna().mass_kg) * checked.gravity_m_per_s2();

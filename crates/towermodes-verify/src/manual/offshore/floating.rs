@@ -33,7 +33,8 @@ pub(super) fn cases() -> Vec<Case> {
     ]
 }
 
-/// With its frequencies, and the weight and what buoyancy and lines leave of it.
+/// A case with the frequencies of a floating turbine, its weight, and the residual of the static
+/// balance.
 fn of(name: &str, tower: TowerDescription, values: &str, balance: &str) -> Case {
     let mut expected = Expected::lowest(values);
     let quantities = [Quantity::Weight, Quantity::ForceLeft].into_iter();
@@ -49,8 +50,8 @@ fn of(name: &str, tower: TowerDescription, values: &str, balance: &str) -> Case 
     )
 }
 
-/// The same with a stiffness that undoes what the source leaves out: the weight of the tower turns
-/// over on the stretch from the reference point to its base.
+/// The tower with an additional stiffness that cancels a moment which the source omits: the weight
+/// of the tower on the arm from the reference point to the tower base.
 fn without_arm(mut tower: TowerDescription) -> TowerDescription {
     let checked = Tower::new(tower.clone()).expect("a tower of the manual");
     let weight_n = (checked.mass_kg() + checked.rna().mass_kg) * checked.gravity_m_per_s2();

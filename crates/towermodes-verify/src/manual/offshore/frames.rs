@@ -1,5 +1,5 @@
-//! Frames by themselves: with their top free by SubDyn's element and as exact beams, and with their
-//! top held.
+//! Frames without a tower: with free top by SubDyn's element and as exact beams, and with fixed
+//! top.
 
 use towermodes::frame::{FrameDescription, FrameRecipe, JointKind};
 
@@ -15,9 +15,10 @@ use crate::towers::offshore::{
 
 /// Elements of the public frames.
 const EXACT: FrameRecipe = FrameRecipe::Spectral { degree: 8 };
-/// Ten digits of the source, in which nodal coordinates lose some.
+/// Tolerance for ten digits of the source, of which nodal coordinates lose some.
 const DIGITS: f64 = 3e-10;
-/// Motions without stiffness cost the source two digits.
+/// Tolerance for mechanisms: motions without stiffness reduce the accuracy of the source by two
+/// digits.
 const DIGITS_OF_MECHANISMS: f64 = 1e-8;
 
 pub(super) fn cases() -> Vec<Case> {
@@ -31,18 +32,18 @@ pub(super) fn cases() -> Vec<Case> {
 
 const ABOVE: &str = "Differing digits are omitted: both programs compute Ritz values, which are above the exact values, and those of this program are lower.";
 
-/// A frame with its expected values as text; empty for none.
+/// A frame with its expected values as text; an empty text means no values.
 struct Values {
     mass_kg: &'static str,
-    /// By SubDyn's element with four parts of each member, with the top free.
+    /// By SubDyn's element with four parts per member, with free top.
     subdyn: &'static str,
-    /// As exact beams, with the top free.
+    /// As exact beams, with free top.
     exact: &'static str,
-    /// As exact beams, with the top held.
+    /// As exact beams, with fixed top.
     held: &'static str,
 }
 
-/// The cases of a frame whose top is the joint of this number, from 0.
+/// The cases of a frame whose top is the joint with this index, from 0.
 fn cases_of(name: &str, frame: &FrameDescription, top: usize, values: &Values) -> Vec<Case> {
     let subdyn = Some(FrameRecipe::Subdyn { divisions: 4 });
     let of = |what: &str, frame: FrameDescription, recipe, expected| {
@@ -362,7 +363,7 @@ fn public() -> Vec<Case> {
     piles.collect()
 }
 
-/// The stiffness of frames at the transition piece, to which SubDyn reduces them too.
+/// The stiffness of frames reduced to the transition piece, as SubDyn computes it.
 fn reduced() -> Vec<Case> {
     let at_top = |frame, joint| {
         let mut frame = with_top_held(frame, joint);

@@ -1,4 +1,5 @@
-//! Mooring systems: stiffness and force at the reference pose, and where free parts hang.
+//! Mooring systems: stiffness and force at the reference pose, and the positions of free parts at
+//! rest.
 
 use towermodes::mooring::{LineType, MooringDescription};
 
@@ -11,10 +12,10 @@ use crate::towers::offshore::{
     volturnus_windio,
 };
 
-/// Ten digits of the source.
+/// Tolerance for ten digits of the source.
 const DIGITS: f64 = 2e-10;
 
-/// The quantities of the values below, in their order.
+/// The quantities of the following values, in their order.
 const STIFFNESS: [Quantity; 8] = [
     Quantity::Stiffness(0, 0),
     Quantity::Stiffness(1, 1),
@@ -43,13 +44,13 @@ fn values(quantities: &[Quantity], values: &str) -> Vec<Expected> {
         .collect()
 }
 
-/// Where a part hangs: x, y, z, and its rotation if it has one.
+/// The position of a part at rest: x, y, z, and its rotation if it has one.
 fn place(part: Hanging, coordinates: &str) -> Vec<Expected> {
     let axes: [Quantity; 6] = std::array::from_fn(|axis| Quantity::Place(part, axis));
     values(&axes, coordinates)
 }
 
-/// Entries of a stiffness, and the vertical force, as in the array of their quantities.
+/// Entries of a stiffness matrix, and the vertical force, in the order of the array of quantities.
 pub(super) fn stiffness(digits: &str) -> Vec<Expected> {
     values(&STIFFNESS, digits)
 }
@@ -98,7 +99,7 @@ fn floaters() -> Vec<Case> {
     cases
 }
 
-/// Lines of MAP++ with friction on the seabed: the tension of the first one.
+/// Lines of MAP++ with friction on the seabed: the tension of the first line.
 fn with_friction() -> Vec<Case> {
     let rows = [
         (
@@ -127,7 +128,7 @@ fn with_friction() -> Vec<Case> {
     rows.collect()
 }
 
-/// Chains of windIO files, whose properties follow from their diameter.
+/// Chains of windIO files, whose properties follow from the diameter.
 fn from_windio() -> Vec<Case> {
     let with_line = [
         Quantity::Stiffness(0, 0),

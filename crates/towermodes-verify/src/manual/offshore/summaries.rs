@@ -1,4 +1,4 @@
-//! All frequencies of summaries that SubDyn wrote.
+//! All frequencies in summary files written by SubDyn.
 
 use towermodes::frame::{FrameDescription, FrameRecipe};
 

@@ -26,7 +26,7 @@ fn lines(description: MooringDescription) -> Option<Box<MooringLines>> {
     }))
 }
 
-/// Buoyancy below the tower's axis.
+/// Buoyancy with its centre on the tower axis.
 fn buoyancy(force_n: f64) -> Option<Buoyancy> {
     let center_m = [0.0; 2];
     Some(Buoyancy { force_n, center_m })

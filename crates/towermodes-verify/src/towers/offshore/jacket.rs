@@ -7,7 +7,8 @@ use towermodes::{Inertia, Material, RigidBody};
 use super::water::{Growth, Sea};
 
 /// Heights of the joints of a leg, m, with their distance from the planes x = 0 and y = 0, and the
-/// section of the leg above each: the pile, the grouted pile, the leg in two walls, its head.
+/// section of the leg above each joint: the pile, the grouted pile, the leg with two wall
+/// thicknesses, its head.
 const LEG: [(f64, f64, Option<usize>); 12] = [
     (-50.001, 6.0, Some(5)),
     (-49.5, 6.0, Some(4)),
@@ -24,18 +25,19 @@ const LEG: [(f64, f64, Option<usize>); 12] = [
 ];
 /// The legs: signs of x and y.
 const LEGS: [[f64; 2]; 4] = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]];
-/// Where braces cross: height and distance from the axis, m. Each is above the joint of the leg
-/// from which its braces rise, from the sixth on.
+/// Height and distance from the axis of the brace crossings, m. Crossing k is above the leg joint 5
+/// + k, at which its braces begin.
 const CROSSINGS: [[f64; 2]; 4] = [
     [-33.373, 5.62],
     [-16.371, 5.064],
     [-1.958, 4.592],
     [10.262, 4.193],
 ];
-/// The joint of a leg from which the lowest braces rise, and that with the horizontal ones.
+/// The index of the leg joint at which the lowest braces begin, and of the leg joint with the
+/// horizontal braces.
 const FIRST: usize = 5;
 const HORIZONTAL: usize = 4;
-/// Diameter and wall, m: braces, then those of the legs.
+/// Diameter and wall thickness, m: of the braces, then of the sections of the legs.
 const SECTIONS: [[f64; 2]; 6] = [
     [0.8, 0.02],
     [1.2, 0.05],
@@ -46,10 +48,10 @@ const SECTIONS: [[f64; 2]; 6] = [
 ];
 /// Density of the grouted pile, kg/m³.
 const GROUTED_KG_PER_M3: f64 = 3339.12;
-/// The joints of a leg below the last flooded member, which reaches above the water.
+/// Number of leg joints below the last flooded member, which extends above the water level.
 const FLOODED: usize = 8;
 
-/// The sea around it: growth of 0.1 m, water in the legs.
+/// The sea around the jacket: growth of 0.1 m, water in the legs.
 pub(super) const SEA: Sea = Sea {
     density_kg_per_m3: 1025.0,
     bed_m: -50.0,
@@ -60,7 +62,7 @@ pub(super) const SEA: Sea = Sea {
     }),
 };
 
-/// The jacket in air or in water, with its transition piece free, held, or left out.
+/// The jacket in air or in water, with its transition piece free, fixed or omitted.
 pub fn jacket(is_wet: bool, is_held: bool) -> FrameDescription {
     let joint = |leg: usize, level: usize| leg * LEG.len() + level;
     let crossing = |level: usize, side: usize| LEGS.len() * LEG.len() + level * LEGS.len() + side;

@@ -26,7 +26,7 @@ pub fn oc3_monopile(is_wet: bool) -> FrameDescription {
     pile
 }
 
-/// Walls of the pile of the IEA-15 turbine in stretches of 5 m from the mudline, m.
+/// Wall thicknesses of the pile of the IEA-15 turbine for lengths of 5 m from the mudline, m.
 const WALLS: [f64; 9] = [
     0.055341, 0.053449, 0.051509, 0.049527, 0.047517, 0.045517, 0.043527, 0.042242, 0.041058,
 ];
@@ -63,7 +63,7 @@ pub fn iea_15_monopile() -> FrameDescription {
     pile
 }
 
-/// A pile between heights (m), clamped at the lowest one, that carries a tower on the highest one.
+/// A pile between heights (m), clamped at the lowest, with a tower on the highest.
 fn pile(
     heights_m: &[f64],
     section: impl Fn(usize) -> [Tube; 2],

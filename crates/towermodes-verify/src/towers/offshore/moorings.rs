@@ -7,8 +7,8 @@ use towermodes::mooring::{
 
 use super::text::{cells, numbers};
 
-/// A mooring system by tables of text: points as `what holds it | x y z | mass volume` (the last
-/// column may be left out), lines as `type length | point point`, both counted from 1. What holds a
+/// A mooring system from tables as text: points as `support | x y z | mass volume` (the last column
+/// may be omitted), lines as `type length | point point`, both counted from 1. The support of a
 /// point is `fixed`, `vessel`, `free`, `b1` (a body), `A1` or `B1` (an end of a rod).
 ///
 /// # Panics
@@ -59,7 +59,7 @@ fn line(row: &[&str]) -> MooringLine {
     }
 }
 
-/// FAST v8 CertTest 24.
+/// OC3-Hywind, from FAST v8 CertTest 24.
 pub fn hywind() -> MooringDescription {
     let points = "
         fixed | 853.87 0 -320
@@ -81,7 +81,7 @@ pub fn hywind() -> MooringDescription {
     )
 }
 
-/// FAST v8 CertTest 25.
+/// The OC4 semi-submersible, from FAST v8 CertTest 25.
 pub fn oc4_semi() -> MooringDescription {
     let points = "
         fixed | 418.8 725.383 -200
@@ -103,7 +103,7 @@ pub fn oc4_semi() -> MooringDescription {
     )
 }
 
-/// IEA-15-240-RWT-UMaineSemi.
+/// VolturnUS-S, from the model IEA-15-240-RWT-UMaineSemi.
 pub fn volturnus() -> MooringDescription {
     let points = "
         fixed | -837.6 0 -200
@@ -125,7 +125,7 @@ pub fn volturnus() -> MooringDescription {
     )
 }
 
-/// The same platform in windIO: anchors at 837.8 m, fairleads on the axes of the columns.
+/// The mooring of VolturnUS-S in windIO: anchors at 837.8 m, fairleads on the axes of the columns.
 pub fn volturnus_windio(chain: LineType) -> MooringDescription {
     let mut mooring = volturnus();
     mooring.line_types = vec![chain];
@@ -355,7 +355,7 @@ pub fn rod() -> MooringDescription {
     rod
 }
 
-/// Ropes lighter than water between anchors and fairleads at nearly one level.
+/// Ropes lighter than water between anchors and fairleads at nearly the same height.
 pub fn buoyant() -> MooringDescription {
     let points = "
         fixed | 150 259.8076 -40

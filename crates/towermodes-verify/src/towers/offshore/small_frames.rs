@@ -1,5 +1,5 @@
-//! Small frames, each with one thing that a frame may have: a tube on soil, joints that rotate,
-//! cables, rigid links, a spring.
+//! Small frames, each with one feature of a frame: a tube on soil, joints that rotate, cables,
+//! rigid links, a spring.
 
 use towermodes::frame::{
     FrameDescription, FrameJoint, FrameMember, FrameSpring, FrameSupport, JointKind, MemberKind,
@@ -10,9 +10,9 @@ use towermodes::{Inertia, Material, RigidBody};
 
 /// A tube of 20 m, from -20 m to the surface.
 const ONE: [[f64; 3]; 2] = [[0.0, 0.0, -20.0], [0.0, 0.0, 0.0]];
-/// The same in two halves.
+/// The tube of 20 m in two halves.
 const HALVES: [[f64; 3]; 3] = [[0.0, 0.0, -20.0], [0.0, 0.0, -10.0], [0.0, 0.0, 0.0]];
-/// Two tubes at an angle, and the foot of a third one.
+/// Two tubes at an angle, and the lower end of a third one.
 const BENT: [[f64; 3]; 4] = [
     [-5.0, 0.0, -20.0],
     [0.0, 1.0, -10.0],
@@ -32,7 +32,7 @@ fn steel(stiffer: f64) -> Material {
     Material::from_shear_modulus(7850.0, 2.1e11 * stiffer, 8.08e10 * stiffer)
 }
 
-/// Tubes of this diameter and wall between points; these points are clamped.
+/// Tubes of this diameter and wall thickness between points; the points with the indices `clamped` are clamped.
 fn tubes(
     points: &[[f64; 3]],
     ends: &[[usize; 2]],
@@ -60,7 +60,7 @@ fn tubes(
 const THICK: [f64; 2] = [2.0, 0.03];
 const IN_LINE: [[usize; 2]; 2] = [[0, 1], [1, 2]];
 
-/// The frame with a joint that is held.
+/// The frame with this joint fixed.
 pub fn with_top_held(mut frame: FrameDescription, joint: usize) -> FrameDescription {
     frame.transition = Some(Transition {
         position_m: frame.joints[joint].position_m,
@@ -70,7 +70,8 @@ pub fn with_top_held(mut frame: FrameDescription, joint: usize) -> FrameDescript
     frame
 }
 
-/// A tube on soil in the motions that are not fixed, with its material this much stiffer.
+/// A tube on soil in the motions that are not fixed, with Young's and shear modulus multiplied by
+/// `stiffer`.
 pub fn tube_on_soil(fixed: [bool; 6], stiffer: f64) -> FrameDescription {
     let mut frame = tubes(&ONE, &[[0, 1]], &[], THICK);
     if let MemberKind::Beam { material, .. } = &mut frame.members[0].kind {
@@ -127,7 +128,8 @@ pub fn bent(kind: JointKind, has_third: bool) -> FrameDescription {
     frame
 }
 
-/// A mast with four cables, with or without their stiffness across the axis (SubDyn 5.0).
+/// A mast with four cables, with or without their transverse stiffness from pretension (SubDyn 5.0
+/// omits it).
 pub fn guyed(has_tension: bool) -> FrameDescription {
     let points = [
         [0.0, 0.0, -20.0],
@@ -172,7 +174,8 @@ fn rigid(name: &str, ends: [usize; 2], mass_kg_per_m: f64) -> FrameMember {
     FrameMember::new(name, ends, MemberKind::Rigid { mass_kg_per_m })
 }
 
-/// A body beside two tubes: at the end of a rigid link, or with its centre away from its joint.
+/// A body next to two tubes: at the end of a rigid link, or with its centre of mass away from its
+/// joint.
 pub fn with_body(has_link: bool) -> FrameDescription {
     let mut frame = tubes(&BESIDE[..3], &IN_LINE, &[0], THICK);
     if has_link {
@@ -185,7 +188,7 @@ pub fn with_body(has_link: bool) -> FrameDescription {
     frame
 }
 
-/// Two rigid links with mass beside two tubes.
+/// Two rigid links with mass next to two tubes.
 pub fn with_heavy_links() -> FrameDescription {
     let mut frame = tubes(&BESIDE, &IN_LINE, &[0], THICK);
     frame.members.push(rigid("3", [1, 3], 500.0));

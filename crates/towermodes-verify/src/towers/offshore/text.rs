@@ -6,7 +6,7 @@ pub(super) fn cells(table: &str) -> impl Iterator<Item = Vec<&str>> {
     rows.map(|row| row.split('|').map(str::trim).collect())
 }
 
-/// The numbers of a text, which must have `N`.
+/// The numbers of a text, which must contain `N` numbers.
 pub(super) fn numbers<const N: usize>(text: &str) -> [f64; N] {
     let numbers = text.split_whitespace().map(str::parse);
     let numbers = numbers.collect::<Result<Vec<f64>, _>>();

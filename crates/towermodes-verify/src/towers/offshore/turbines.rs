@@ -11,7 +11,7 @@ use super::floaters::{hywind_platform, oc4_semi_platform, volturnus_platform};
 use super::jacket::{jacket, transition_piece};
 use super::monopiles::{iea_15_monopile, oc3_monopile};
 
-/// A tower that bends only, by rows of height (m), kg/m, N m².
+/// A tower with only bending flexibility, from rows of height (m), kg/m, N m².
 fn tower(name: &str, rows: &[[f64; 3]], rna: Rna, gravity_m_per_s2: f64) -> TowerDescription {
     let station = |[height_m, mass_kg_per_m, bending_n_m2]: &[f64; 3]| PropertyStation {
         height_m: *height_m,
@@ -34,7 +34,7 @@ fn tower(name: &str, rows: &[[f64; 3]], rna: Rna, gravity_m_per_s2: f64) -> Towe
     }
 }
 
-/// An assembly by its mass, centre, moments of inertia xx yy zz and product xz.
+/// A rotor-nacelle assembly from its mass, centre, moments of inertia xx, yy, zz and product xz.
 fn assembly(mass_kg: f64, [x, z]: [f64; 2], [xx, yy, zz, xz]: [f64; 4]) -> Rna {
     Rna {
         mass_kg,
@@ -57,7 +57,7 @@ fn nrel() -> Rna {
     )
 }
 
-/// What a tower stands on.
+/// The foundation of a tower on a frame.
 fn on(mut frame: FrameDescription, platform: RigidBody, has_weight: bool) -> Foundation {
     if let Some(transition) = &mut frame.transition {
         transition.is_held = false;
@@ -71,14 +71,14 @@ fn on(mut frame: FrameDescription, platform: RigidBody, has_weight: bool) -> Fou
     Foundation::Frame(Box::new(foundation))
 }
 
-/// Which effects a model on a frame has.
+/// The effects that a model on a frame includes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Effects {
     /// Water around members and in them, and marine growth.
     pub water: bool,
     /// Gravity on the tower.
     pub gravity: bool,
-    /// Gravity on the members too.
+    /// Gravity also on the members.
     pub weight_on_members: bool,
 }
 

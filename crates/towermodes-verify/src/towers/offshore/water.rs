@@ -1,5 +1,5 @@
-//! Water around members and in them, and marine growth, as `HydroDyn` has them: by strips along
-//! the members and at their ends.
+//! Water around members and in them, and marine growth, as in `HydroDyn`: in strips along the
+//! members and at their ends.
 
 use std::f64::consts::PI;
 
@@ -23,7 +23,7 @@ pub(super) struct Growth {
 }
 
 impl Sea {
-    /// The water in a member between two heights (m), up to the surface.
+    /// The mass of the water in a member between two heights (m), up to the surface.
     pub(super) fn filling(&self, heights_m: [f64; 2], inner_radius_m: f64) -> Option<FrameCoat> {
         let kind = CoatKind::Solid {
             density_kg_per_m3: [self.density_kg_per_m3; 2],
@@ -34,7 +34,7 @@ impl Sea {
         Some(FrameCoat { range, kind })
     }
 
-    /// Adds the water around all members, their growth, and both at their ends.
+    /// Adds the water around all members, their growth, and both at the member ends.
     pub(super) fn add_to(&self, frame: &mut FrameDescription) {
         let mut ends = vec![End::default(); frame.joints.len()];
         let FrameDescription {
@@ -95,7 +95,7 @@ impl Sea {
         }
     }
 
-    /// Adds the end of a member at a height (m) to what its joint has, if it is in the water.
+    /// Adds the end of a member at a height (m) to the sum of its joint, if it is in the water.
     fn add_end(&self, end: &mut End, height_m: f64, radius_m: f64, outward: [f64; 3]) {
         if !(self.bed_m..=0.0).contains(&height_m) {
             return;
@@ -118,8 +118,8 @@ impl Sea {
     }
 }
 
-/// The ends of all members of a joint together: half spheres of water and plates of growth, which
-/// cancel where a member continues another one.
+/// The sum of all member ends at a joint: half spheres of water and plates of growth, which cancel
+/// if a member continues another one.
 #[derive(Clone, Default)]
 struct End {
     volume_m3: [f64; 3],
@@ -171,7 +171,8 @@ fn radius_m(member: &FrameMember) -> f64 {
     }
 }
 
-/// The part of a member between two heights (m) that is between two others, as fractions.
+/// The part of the member between two heights (m) that lies between two other heights, as fractions
+/// of its length.
 fn between([from_m, to_m]: [f64; 2], [low_m, high_m]: [f64; 2]) -> Option<[f64; 2]> {
     let rise_m = to_m - from_m;
     if rise_m == 0.0 {

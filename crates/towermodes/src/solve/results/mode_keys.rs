@@ -31,7 +31,7 @@ struct ModeKeys {
     /// The other family with the largest share of the energy of the mode; null if there is none.
     #[serde(getter = "Mode::second")]
     second: Option<SecondFamily>,
-    /// The name of the mode, as "1st fore-aft bending".
+    /// The name of the mode, for example "1st fore-aft bending".
     #[serde(getter = "Mode::label")]
     label: String,
     /// Bound on the error of the eigenvalue computation, Hz.

@@ -44,7 +44,7 @@ fn springs(content: &ReportContent) -> String {
     format!("{what}{rigidly}")
 }
 
-/// The degrees of freedom that are fixed.
+/// The text on the degrees of freedom that are fixed.
 fn held(content: &ReportContent) -> String {
     let moves = content.tower.base().moves;
     let held = |(name, moves): (&&'static str, &bool)| (!moves).then_some(*name);

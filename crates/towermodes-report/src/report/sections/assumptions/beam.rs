@@ -52,7 +52,7 @@ fn coefficient(content: &ReportContent, shears: bool) -> String {
     }
 }
 
-/// Effects that the method or the user neglects, or the input lacks.
+/// Effects that the method or the user neglects, or that the input does not contain.
 fn left_out(content: &ReportContent) -> &'static str {
     let (tower, options) = (&content.tower, &content.options);
     match (tower.has_rotary_inertia(), options.method, tower.shears()) {

@@ -93,7 +93,7 @@ fn gravity(content: &ReportContent) -> String {
         }
         (false, true) => format!(
             "Gravity is included as linear geometric stiffness, g = {} m/s²; it lowers the bending stiffness. With the platform weight and the \
-             hydrostatic stiffness it determines roll and pitch.",
+             hydrostatic stiffness, gravity determines roll and pitch.",
             given(g)
         ),
         (false, false) => format!(
@@ -103,7 +103,7 @@ fn gravity(content: &ReportContent) -> String {
     }
 }
 
-/// The rotor-nacelle assembly, or the mass in its place.
+/// The rotor-nacelle assembly, or the mass that replaces it.
 fn rna(content: &ReportContent) -> String {
     let tower = &content.tower;
     if !tower.rna().is_absent() {
@@ -159,7 +159,7 @@ fn surroundings(description: &TowerDescription) -> Vec<String> {
     points
 }
 
-/// Effects that this input lacks, and effects that no beam model has.
+/// Effects that this input does not contain, and effects that no beam model includes.
 fn left_out(description: &TowerDescription) -> String {
     let has_water = description.water.is_some() || !description.added_mass.is_empty();
     let kinds = [

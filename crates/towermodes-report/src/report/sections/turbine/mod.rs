@@ -1,5 +1,5 @@
-//! The whole turbine with its turning rotor: the coupled Campbell diagram, what it proves, and how
-//! the modes move.
+//! The whole turbine with rotating rotor: the coupled Campbell diagram, its proof, and the mode
+//! shapes.
 
 mod tables;
 
@@ -13,15 +13,15 @@ use crate::figures;
 use crate::svg::Figure;
 use crate::wording::{STRUCTURE_ONLY, proved};
 
-/// What the table of the modes means.
+/// The explanation of the table of the modes.
 const MEANING: &str = "Each name is given to one mode only. In the order of rising frequency, each mode is named after the part of the turbine whose accumulated elastic energy exceeds the number of modes already named after it by the largest amount; \
      a mode with less than 60 % of its energy in the motion that its name states is shared with another part. \
      The bound of the solver error is the half-width of the interval in which eigenvalue counts bracket the frequency; the mesh error is the change of the frequency from this mesh to a finer mesh.";
 
-/// Why a share stands in place of a difference.
+/// The explanation of a share in place of a difference.
 const OTHER_MOTION: &str = "Where the table gives a share in place of a difference, the flexible rotor spreads this motion over several modes: the mode of this name has less than 60 % of its energy in this motion, so its frequency is not compared.";
 
-/// What the frequencies mean for blades and tower.
+/// The explanation of frequencies on blades and on the tower.
 const FRAME: &str = "A load on the tower at a frequency excites the modes listed at this frequency. On a rotating blade, a forward whirl has this frequency minus the rotor speed, a \
      backward whirl this frequency plus the rotor speed.";
 
@@ -110,7 +110,7 @@ fn modes(results: &TurbineResults) -> Vec<Block> {
     blocks
 }
 
-/// What the flexible rotor makes of the modes of the tower.
+/// The effect of the flexible rotor on the modes of the tower.
 fn against_rigid(results: &TurbineResults) -> Vec<Block> {
     if results.against.is_empty() {
         return Vec::new();

@@ -9,11 +9,11 @@ use towermodes_analysis::whirl::{AgainstRigid, Change, CoupledCampbell};
 use super::super::super::table::Table;
 use crate::number::{NOTHING, digits, four_digits, frequency, percent, signed_percent, typeset};
 
-/// Shares of the elastic energy below this are left out.
+/// Smaller shares of the elastic energy are omitted.
 const NOTABLE: f64 = 0.02;
 
 /// The modes by name with their frequencies at the lowest speed of the diagram and at both ends of
-/// operation, the other mode of each whirl pair, and what changes along the rotor speed.
+/// the operating range, the other mode of each whirl pair, and the changes over the rotor speed.
 pub(super) fn names(coupled: &CoupledCampbell) -> Table {
     let rotor = &coupled.campbell.rotor;
     let first_rpm = coupled.speeds.first().map_or(0.0, |of| of.rotor_speed_rpm);
@@ -44,7 +44,7 @@ pub(super) fn names(coupled: &CoupledCampbell) -> Table {
     table
 }
 
-/// What changes along the rotor speed: "yaw at 0 to 8.3 rpm; on another curve from 11.95 rpm".
+/// The changes over the rotor speed: "yaw at 0 to 8.3 rpm; on another curve from 11.95 rpm".
 fn character(coupled: &CoupledCampbell, name: TurbineModeName) -> String {
     let speeds = coupled.speeds.iter().map(|speed| speed.rotor_speed_rpm);
     let points = speeds.filter_map(|rpm| Some((rpm, coupled.at_rpm(name, rpm)?.nodding())));
@@ -82,7 +82,7 @@ fn at(coupled: &CoupledCampbell, name: TurbineModeName, rpm: f64) -> String {
     )
 }
 
-/// Where curves change their names.
+/// The places where curves change their names.
 pub(super) fn changes(coupled: &CoupledCampbell) -> Table {
     let columns = ["curve of", "continues as", "#rotor speed (rpm)", "#f (Hz)"];
     let mut table = Table::new("Names that change along the curves", columns);
@@ -102,7 +102,7 @@ pub(super) fn changes(coupled: &CoupledCampbell) -> Table {
     })
 }
 
-/// Where curves cross or veer.
+/// The places where curves cross or veer.
 pub(super) fn meetings(coupled: &CoupledCampbell) -> Table {
     let mut table = Table::new(
         "Crossings and veerings of the curves",
@@ -136,7 +136,7 @@ pub(super) fn meetings(coupled: &CoupledCampbell) -> Table {
     })
 }
 
-/// The modes at a speed.
+/// The modes at a rotor speed.
 pub(super) fn modes(modes: &TurbineModes) -> Table {
     let speed = Rpm(modes.rotor_speed_rpm);
     let mut table = Table::new(
