@@ -94,8 +94,8 @@ fn x_axis(convergence: &Convergence) -> Axis {
     let [low, high] = ends.unwrap_or([1.0; 2]).map(|end| end.max(1.0));
     let spectral = is_spectral(convergence);
     let (name, range) = match spectral {
-        true => ("polynomial degree (–)", [low - 0.5, high + 0.5]),
-        false => ("segments (–)", [low / 1.2, high * 1.1]),
+        true => ("polynomial degree (−)", [low - 0.5, high + 0.5]),
+        false => ("segments (−)", [low / 1.2, high * 1.1]),
     };
     let text = |number: usize| (number as f64, number.to_string());
     Axis {

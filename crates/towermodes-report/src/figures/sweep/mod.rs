@@ -69,7 +69,7 @@ impl VariedColumn<'_> {
     /// "rna.mass (kg)".
     fn axis_name(&self) -> String {
         match self.unit {
-            "" => format!("{} (–)", self.name),
+            "" => format!("{} (−)", self.name),
             unit => format!("{} ({unit})", self.name),
         }
     }
