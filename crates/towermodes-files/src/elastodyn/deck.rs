@@ -29,7 +29,7 @@ use crate::error::ReadError;
 use crate::input::{FileFormat, ReadOptions, RotorLock, TowerInput};
 use crate::note::Note;
 use crate::places::{Places, TABLE};
-use crate::resolver::{FileResolver, beside};
+use crate::resolver::{FileResolver, beside, found_elsewhere};
 use crate::source::Source;
 use crate::turbine::TurbineReading;
 
@@ -92,6 +92,8 @@ struct Model {
     tower_source: Source,
     reading: TowerReading,
     blades: Blades,
+    /// The note on a tower file that is not at its path.
+    tower_elsewhere: Option<Note>,
     /// The yaw spring, if the nacelle yaws and there is an `.fst` file.
     yaw: Option<YawSpring>,
     /// The operating speeds, if there is an `.fst` file.
@@ -116,6 +118,8 @@ impl Model {
             files,
         };
         let tower_source = named.read(&main.tower_file, "TwrFile", main.place("TwrFile"))?;
+        let (key, at) = ("TwrFile", main.place("TwrFile"));
+        let tower_elsewhere = named.elsewhere(&main.tower_file, key, at.start, &tower_source);
         let reading = read_with_places(&tower_source);
         let reading = reading.map_err(|mistake| ReadError::mistake(&tower_source, mistake))?;
         let blades = match options.without_rna {
@@ -149,6 +153,7 @@ impl Model {
             tower_source,
             reading,
             blades,
+            tower_elsewhere,
             yaw,
             controls,
         })
@@ -271,6 +276,8 @@ impl Model {
     fn notes(&self, ends: Ends, options: &ReadOptions) -> Vec<Note> {
         let main = &self.main;
         let mut notes = self.found.notes.clone();
+        notes.extend(self.tower_elsewhere.clone());
+        notes.extend_from_slice(&self.blades.elsewhere);
         notes.extend_from_slice(&self.controls.notes);
         if let Some(fst) = &self.found.fst {
             notes.extend(fst::notes(fst, main, &self.below.parts, options.clamped));
@@ -404,6 +411,12 @@ impl Named<'_> {
 }
 
 impl Named<'_> {
+    /// The note on a file that was found at another place than at its path.
+    fn elsewhere(&self, path: &str, key: &str, at: usize, found: &Source) -> Option<Note> {
+        let note = found_elsewhere(self.files, key, path, found);
+        note.map(|note| note.at(self.source, at))
+    }
+
     /// Whether the file of the first blade is there.
     fn has_blades(&self, main: &MainFile) -> bool {
         let first = main.blade_files.first();
@@ -420,6 +433,8 @@ struct Blades {
     masses: Vec<BladeMasses>,
     /// The content of each blade's file.
     files: Vec<BladeFile>,
+    /// Notes on files that are not at their paths.
+    elsewhere: Vec<Note>,
 }
 
 fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
@@ -428,6 +443,8 @@ fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
     for (path, key) in main.blade_files.iter().zip(BLADES) {
         if !read.contains_key(path.as_str()) {
             let source = named.read(path, key, main.place(key))?;
+            let at = main.place(key).start;
+            blades.elsewhere.extend(named.elsewhere(path, key, at, &source));
             let blade = read_blade_file(&source).map_err(|m| ReadError::mistake(&source, m))?;
             blades.sources.push(source);
             read.insert(path, blade);
