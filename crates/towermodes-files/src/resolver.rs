@@ -54,7 +54,10 @@ pub(crate) fn found_elsewhere(
             "the file of this name beside the file that refers to it is used".to_owned()
         }
         (false, _) if has_other_capitals(path, found) => {
-            format!("{} is used, whose name has other capital letters", found.name)
+            format!(
+                "{} is used, whose name has other capital letters",
+                found.name
+            )
         }
         (false, _) => return None,
     };
@@ -76,7 +79,9 @@ fn has_other_capitals(path: &str, found: &Source) -> bool {
 /// The folders and the name of a path.
 fn parts(path: &str) -> Vec<&str> {
     let parts = path.split(['/', '\\']);
-    parts.filter(|part| !part.is_empty() && *part != ".").collect()
+    parts
+        .filter(|part| !part.is_empty() && *part != ".")
+        .collect()
 }
 
 /// Whether a path is absolute, here or on Windows.

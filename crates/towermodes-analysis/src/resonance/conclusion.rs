@@ -1,9 +1,7 @@
 //! The conclusion of a Campbell diagram in sentences: the first bending frequencies first, then the
 //! pairs that fail or warn.
 
-use super::campbell::{
-    Campbell, FrequencyLine, Margin, SharedFirst, StiffnessClass, is_strong,
-};
+use super::campbell::{Campbell, FrequencyLine, Margin, SharedFirst, StiffnessClass, is_strong};
 use crate::verdict::Verdict;
 use towermodes::modes::Family;
 use towermodes::number::{self, four_digits};

@@ -35,6 +35,8 @@ use crate::turbine::TurbineReading;
 
 /// Lighter nacelles are on no tower above [`HIGH_TOWER_M`], kg.
 const LIGHTEST_NACELLE_KG: f64 = 1e3;
+/// Smallest usual shaft tilt other than 0, degrees: 12 degrees are 0.209 rad.
+const LEAST_TILT_DEG: f64 = 0.21;
 /// Small turbines stand on lower towers, m.
 const HIGH_TOWER_M: f64 = 40.0;
 
@@ -296,6 +298,7 @@ impl Model {
             let masses = &self.blades.masses;
             notes.extend(lump::notes(main, &self.found.source, masses, options.rotor));
             notes.extend(self.light_nacelle(ends));
+            notes.extend(self.tilt_in_radians());
         }
         notes
     }
@@ -311,6 +314,19 @@ impl Model {
                 Plain(height_m)
             );
             let at = self.main.place("NacMass").start;
+            Note::suspicious(message).at(&self.found.source, at)
+        })
+    }
+
+    /// The note on a shaft tilt that is probably in radians.
+    fn tilt_in_radians(&self) -> Option<Note> {
+        let tilt_deg = self.main.shaft_tilt_deg;
+        (tilt_deg != 0.0 && tilt_deg.abs() < LEAST_TILT_DEG).then(|| {
+            let message = format!(
+                "ShftTilt is {} degrees; shafts are tilted by some degrees or not at all: the unit is degrees, and 5 degrees are 0.0873 rad",
+                Plain(tilt_deg)
+            );
+            let at = self.main.place("ShftTilt").start;
             Note::suspicious(message).at(&self.found.source, at)
         })
     }
@@ -444,7 +460,9 @@ fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
         if !read.contains_key(path.as_str()) {
             let source = named.read(path, key, main.place(key))?;
             let at = main.place(key).start;
-            blades.elsewhere.extend(named.elsewhere(path, key, at, &source));
+            blades
+                .elsewhere
+                .extend(named.elsewhere(path, key, at, &source));
             let blade = read_blade_file(&source).map_err(|m| ReadError::mistake(&source, m))?;
             blades.sources.push(source);
             read.insert(path, blade);

@@ -97,7 +97,10 @@ fn name_ranges(drawing: &mut Drawing, axes: &Axes, ranges: &[Range]) {
 
 /// "1P, 3P:" above the verdicts, which are on these excitations alone.
 fn name_verdicts(drawing: &mut Drawing, axes: &Axes, ranges: &[Range]) {
-    let multiples: Vec<String> = ranges.iter().map(|of| format!("{}P", of.multiple)).collect();
+    let multiples: Vec<String> = ranges
+        .iter()
+        .map(|of| format!("{}P", of.multiple))
+        .collect();
     let place = (axes.frame.right + 12.0, axes.frame.top - 10.0);
     let style = TextStyle::new(SMALL).colour(Colour::Muted);
     drawing.text(place, &format!("{}:", multiples.join(", ")), &style);

@@ -10,7 +10,9 @@ use super::resonance::has_blade;
 use super::{own_picture, table, verdicts};
 use crate::figures;
 use crate::number::{digits, four_digits, margin_percent};
-use crate::wording::{completeness, counted, forces_and_place, sentence, verdict_counts, verdict_word};
+use crate::wording::{
+    completeness, counted, forces_and_place, sentence, verdict_counts, verdict_word,
+};
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let missing = content.circumstances.model_notes.iter();
