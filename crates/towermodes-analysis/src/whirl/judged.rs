@@ -39,10 +39,10 @@ pub(super) fn lines(curves: &[CoupledCurve], names: &[TurbineModeName]) -> Vec<F
 /// The pieces of a curve with their names.
 fn pieces(index: usize, curve: &CoupledCurve) -> Vec<(TurbineModeName, FrequencyLine)> {
     let alike = |a: &CurvePoint, b: &CurvePoint| a.name == b.name && a.class() == b.class();
-    let mut first = 0;
+    let mut first = 0_usize;
     let parts = curve.points.chunk_by(alike);
     let piece = |part: &[CurvePoint]| {
-        let before = first.checked_sub(1).map(|k: usize| &curve.points[k]);
+        let before = first.checked_sub(1).map(|k| &curve.points[k]);
         first += part.len();
         let after = curve.points.get(first);
         let name = part[0].name;
