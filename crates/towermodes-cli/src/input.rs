@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use towermodes_files::{Input, ReadError, SiblingFiles, Source, TowerInput, read, read_source};
+use towermodes_files::{
+    Input, ReadError, SettingError, SiblingFiles, Source, TowerInput, read, read_source,
+};
 
 use crate::args::{InputArguments, ReadingArguments};
 use crate::failure::{Failure, SETTING};
@@ -25,13 +27,21 @@ pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Fa
     Ok(input)
 }
 
-/// Sets the input values that the command line gives by name.
+/// What has no names in a file with a turbine.
+const OF_TURBINE: &str = "`towermodes parameters FILE` lists the names of all input values; nacelle, hub and blades of a turbine have no names: change them in the file that describes them, for example NacMass in the main file of ElastoDyn";
+
+/// Sets the numbers that the command line gives by name.
 pub(crate) fn set_numbers(
     tower: &mut TowerInput,
     reading: &ReadingArguments,
 ) -> Result<(), Failure> {
     let set = tower.set(&reading.settings, SETTING);
-    set.map_err(Failure::from)
+    let is_unknown = matches!(set, Err(SettingError::Parameter(_)));
+    let failed = set.map_err(Failure::from);
+    match is_unknown && tower.turbine.is_some() {
+        true => failed.map_err(|failure| failure.hint(OF_TURBINE)),
+        false => failed,
+    }
 }
 
 /// Reads a tower from a file or from standard input; a rotating blade is an error.

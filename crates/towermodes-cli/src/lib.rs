@@ -50,7 +50,8 @@ pub fn run(command_line: impl IntoIterator<Item = impl Into<OsString>>) -> u8 {
 }
 
 /// Prints the help or the error of the command line. If a file is given instead of a command, the
-/// message suggests `solve` with this file. Returns the exit code.
+/// message shows the `solve` command for it; if two are given to `compare`, which compares methods,
+/// the command `check`. Returns the exit code.
 fn report(error: &clap::Error, command_line: &[OsString]) -> u8 {
     let _ = error.print();
     let file = command_line.get(1);
@@ -60,6 +61,10 @@ fn report(error: &clap::Error, command_line: &[OsString]) -> u8 {
             "\nto solve it: towermodes solve {}",
             Path::new(file).display()
         );
+    }
+    let is_compare = command_line.get(1).is_some_and(|word| word == "compare");
+    if is_compare && error.kind() == ErrorKind::UnknownArgument {
+        anstream::eprintln!("\nto compare two files: towermodes check FILE OTHER");
     }
     u8::try_from(error.exit_code()).unwrap_or(2)
 }

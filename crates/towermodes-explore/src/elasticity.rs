@@ -59,7 +59,11 @@ pub struct Elasticities {
     pub answer_ms: f64,
 }
 
-/// Why an input value has no elasticity.
+/// A derivative below this is left by rounding, % per unit: even of 10¹² units, as stiffnesses have,
+/// it would be 10⁻¹³ %.
+const ROUNDING_PERCENT: f64 = 1e-25;
+
+/// Why a number has no elasticity.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct NoElasticity {
     /// The text instead of the elasticity: for an input value that is zero the derivative, "−0.72
@@ -193,8 +197,13 @@ impl NoElasticity {
                 text: format!("No elasticity: {reason}."),
             };
         }
-        // One percent of zero is zero.
+        // One percent of zero is zero; so little is left by rounding.
         let percent = influence.percent_per_unit(mode).unwrap_or(0.0);
+        let percent = if percent.abs() < ROUNDING_PERCENT {
+            0.0
+        } else {
+            percent
+        };
         let unit = influence.unit;
         let size = digits(percent.abs(), 2);
         let number = match (percent == 0.0, percent < 0.0) {

@@ -172,7 +172,8 @@ impl Explorer {
         assessed.map_err(|error| Refusal::of_campbell(&error, &input.description))
     }
 
-    fn rotor(&self, input: &TowerInput) -> Option<towermodes::Rotor> {
+    /// The rotor of the description with the data of the command line in place of its own.
+    pub(crate) fn rotor(&self, input: &TowerInput) -> Option<towermodes::Rotor> {
         let given = &self.exploration.rotor;
         let chosen = given.in_place_of(input.description.rotor, input.blades);
         chosen.map(|chosen| chosen.rotor)

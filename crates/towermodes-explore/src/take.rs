@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 use thiserror::Error;
+use towermodes_analysis::resonance::GivenRotor;
 use towermodes_files::{FileFormat, Rewritten, TowerInput, rewritten};
 use towermodes_report::figures::{self, TitleWords, titled};
 use towermodes_report::raster::{self, RasterError};
@@ -105,7 +106,13 @@ impl Taken {
         let stem = stem(&explorer.exploration.file);
         match take.what {
             What::Tower => {
-                let (input, _) = explorer.changed(&take.state)?;
+                let (mut input, _) = explorer.changed(&take.state)?;
+                // Speeds and blades of the command line.
+                let given = &explorer.exploration.rotor;
+                if *given != GivenRotor::default() {
+                    let rotor = explorer.rotor(&input);
+                    input.description.rotor = rotor.or(input.description.rotor);
+                }
                 let file = rewritten(&explorer.exploration.input, &input.description);
                 let head = head(&explorer.exploration, &file);
                 Ok(Self {

@@ -35,32 +35,52 @@ pub(crate) fn beside(folder: &str, path: &str) -> String {
 pub(crate) fn folder_of<'a>(path: &'a str, found: &Source) -> &'a str {
     let slash = path
         .rfind(['/', '\\'])
-        .filter(|_| !is_elsewhere(path, found));
+        .filter(|_| is_absolute(path) || !is_elsewhere(path, found));
     slash.map_or("", |slash| &path[..slash])
 }
 
-/// The note that the file is not in the folder of the path that `key` gives, if another file of the
-/// same name was found.
+/// The note that there is no file at a path, which `key` gives, if another one of the same name was
+/// found: in another folder, or with other capital letters.
 pub(crate) fn found_elsewhere(
     files: &dyn FileResolver,
     key: &str,
     path: &str,
     found: &Source,
 ) -> Option<Note> {
-    let message = format!(
-        "{key}: there is no {path}; the file of this name beside the file that refers to it is used"
-    );
-    (files.has_folders() && is_elsewhere(path, found)).then(|| Note::new(message))
+    let other = match (is_elsewhere(path, found), is_absolute(path)) {
+        (true, true) => format!("{} is used", found.name),
+        (true, false) => {
+            "the file of this name beside the file that refers to it is used".to_owned()
+        }
+        (false, _) if has_other_capitals(path, found) => {
+            format!(
+                "{} is used, whose name has other capital letters",
+                found.name
+            )
+        }
+        (false, _) => return None,
+    };
+    let message = format!("{key}: there is no {path}; {other}");
+    files.has_folders().then(|| Note::new(message))
 }
 
-/// Whether a file was found at another place than its path.
+/// Whether a file was found at another place than at its path; capital letters do not matter.
 fn is_elsewhere(path: &str, found: &Source) -> bool {
-    let parts = |path: &str| -> Vec<String> {
-        let parts = path.split(['/', '\\']);
-        let parts = parts.filter(|part| !part.is_empty() && *part != ".");
-        parts.map(str::to_ascii_lowercase).collect()
-    };
-    !is_absolute(path) && !parts(&found.name).ends_with(&parts(path))
+    let [path, name] = [path, &found.name].map(str::to_ascii_lowercase);
+    !parts(&name).ends_with(&parts(&path))
+}
+
+/// Whether the path to a file that was found differs from its path in capital letters.
+fn has_other_capitals(path: &str, found: &Source) -> bool {
+    !parts(&found.name).ends_with(&parts(path))
+}
+
+/// The folders and the name of a path.
+fn parts(path: &str) -> Vec<&str> {
+    let parts = path.split(['/', '\\']);
+    parts
+        .filter(|part| !part.is_empty() && *part != ".")
+        .collect()
 }
 
 /// Whether a path is absolute on this system or on Windows.

@@ -86,6 +86,16 @@ fn refused(text: &str) -> String {
     read.expect_err("a mistake").to_string()
 }
 
+/// The number of blades is known where `[rotor]` does not give it.
+#[test]
+fn blades_of_the_turbine_are_those_of_its_rotor() {
+    let four = SMALL.replace("blades = 3", "blades = 4");
+    assert_eq!(
+        [SMALL, &four].map(|text| read(text).blades),
+        [Some(3), Some(4)]
+    );
+}
+
 #[test]
 fn every_number_is_read() {
     let turbine = turbine(SMALL);

@@ -48,6 +48,7 @@ fn by_hand(lines: Vec<FrequencyLine>, multiples: Vec<usize>) -> Campbell {
         known_to_hz: None,
         classes: vec![(Family::ForeAft, StiffnessClass::SoftStiff)],
         first_bending: vec![0],
+        shared: Vec::new(),
         not_checked: Vec::new(),
     }
 }

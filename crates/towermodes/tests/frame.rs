@@ -483,20 +483,32 @@ fn members_that_are_probably_mistakes_are_warned_of() {
             }
         }
     };
-    let quiet: [&dyn Fn(&mut FrameDescription); 7] = [
+    let density = |density_kg_per_m3: f64| {
+        move |frame: &mut FrameDescription| {
+            for member in &mut frame.members {
+                if let MemberKind::Beam { material, .. } = &mut member.kind {
+                    material.density_kg_per_m3 = density_kg_per_m3;
+                }
+            }
+        }
+    };
+    let quiet: [&dyn Fn(&mut FrameDescription); 10] = [
         &|_| {},
         &tubes(3.0, 0.0101),
         &tubes(3.0, 0.99),
         &tubes(3.0, 1.5),
         &tubes(29.0, 0.1),
         &moduli(1e9, 4e8),
+        &density(0.0),
+        &density(1.0),
+        &density(2400.0),
         &|frame| frame.joints[2].position_m[0] += 190.0,
     ];
     for (k, change) in quiet.into_iter().enumerate() {
         assert_eq!(said(change), [""; 0], "{k}");
     }
     type Odd<'a> = (&'a dyn Fn(&mut FrameDescription), &'a str);
-    let odd: [Odd<'_>; 8] = [
+    let odd: [Odd<'_>; 9] = [
         (
             &tubes(3.0, 0.0099),
             "member 1 (and another one): wall 0.0099 m is 1/303.03 of the diameter 3 m; expected 1/3 to 1/300",
@@ -508,6 +520,10 @@ fn members_that_are_probably_mistakes_are_warned_of() {
         (
             &tubes(31.0, 0.2),
             "member 1 (and another one): outer diameter 31 m is larger than 30 m",
+        ),
+        (
+            &density(7.85),
+            "member 1 (and another one): density is 7.85 kg/m3; no structural material has so little; steel has 7850",
         ),
         (
             &moduli(210.0, 81.0),

@@ -21,6 +21,11 @@ export interface TurningEvents {
 /** The diagram waits until nobody slides, ms. */
 const PATIENCE_MS = 60;
 
+/** The mode that is shown first: the first fore-aft mode of the tower, below which a floating platform
+ * has six; without it the lowest. */
+const firstOf = (modes: WhirlMode[]): string | null =>
+  (modes.find(({ name }) => name === "1st tower fore-aft") ?? modes[0])?.name ?? null;
+
 export class Turning {
   diagram: Coupled | null = null;
   /** Of the tower that is compared with. */
@@ -121,7 +126,7 @@ export class Turning {
     this.whirl = result.refused === null ? result : null;
     if (!this.hasChosen && this.whirl !== null) {
       this.hasChosen = true;
-      this.chosen ??= this.whirl.modes[0]?.name ?? null;
+      this.chosen ??= firstOf(this.whirl.modes);
     }
     this.events.changed();
   }

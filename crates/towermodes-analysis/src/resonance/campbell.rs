@@ -214,6 +214,19 @@ pub enum StiffnessClass {
     },
 }
 
+/// A first bending mode of a turbine with less than 60 % of its energy in its motion at the highest
+/// operating speed. Modes are names, frequencies (Hz) and the fraction of their energy in the
+/// motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SharedFirst {
+    /// The motion.
+    pub family: Family,
+    /// The mode that has the name.
+    pub named: (String, f64, f64),
+    /// The others with at least 25 % of the energy of the first mode of this motion, by frequency.
+    pub others: Vec<(String, f64, f64)>,
+}
+
 /// Natural frequencies against the rotor speed, with their distances from all excitations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Campbell {
@@ -239,7 +252,9 @@ pub struct Campbell {
     /// The indices of the lines of these modes, from 0, in the order of `classes` if that is not
     /// empty.
     pub first_bending: Vec<usize>,
-    /// Why there are no verdicts; empty if there are verdicts.
+    /// The first bending modes of a turbine that share their motion with other modes.
+    pub shared: Vec<SharedFirst>,
+    /// Why there are no verdicts; empty if there are.
     pub not_checked: Vec<NotChecked>,
 }
 

@@ -1,7 +1,7 @@
 //! The conclusion of a Campbell diagram in sentences: first the first bending frequencies, then the
 //! pairs with FAIL or WARN.
 
-use super::campbell::{Campbell, FrequencyLine, Margin, StiffnessClass, is_strong};
+use super::campbell::{Campbell, FrequencyLine, Margin, SharedFirst, StiffnessClass, is_strong};
 use crate::verdict::Verdict;
 use towermodes::modes::Family;
 use towermodes::number::{self, four_digits};
@@ -40,11 +40,12 @@ impl Campbell {
     }
 
     /// The sentences of the [conclusion](Self::conclusion) on the first bending frequencies: their
-    /// position relative to 1P and the blade passing frequency, the smallest distance, and the
-    /// class.
+    /// place relative to 1P and the blade passing frequency, the smallest distance, and the class;
+    /// then those of a turbine that have less than 60 % of their energy in their motion.
     #[must_use]
     pub fn placement(&self) -> Vec<String> {
-        standing(self)
+        let shared = self.shared.iter().map(|shared| motion(self, shared));
+        standing(self).into_iter().chain(shared).collect()
     }
 
     /// The sentences of the [conclusion](Self::conclusion) on modes without verdict: those that are
@@ -88,6 +89,27 @@ fn unjudged(campbell: &Campbell) -> Option<String> {
     Some(format!(
         "Not judged: {modes} of the substructure, {range} Hz, in which the tower has less than a quarter of the energy."
     ))
+}
+
+/// "At 7.56 rpm 1st tower fore-aft (0.5302 Hz) has only 19 % of its energy in fore-aft bending of
+/// the tower; 1st tower side-side (0.5278 Hz) has 36 %."
+fn motion(campbell: &Campbell, shared: &SharedFirst) -> String {
+    let mode = |(name, hz, _): &(String, f64, f64)| format!("{name} ({} Hz)", four_digits(*hz));
+    let share = |(.., share): &(String, f64, f64)| format!("{:.0} %", 100.0 * share);
+    let others = shared.others.iter();
+    let others = others.map(|other| format!("{} has {}", mode(other), share(other)));
+    let others: Vec<String> = others.collect();
+    let others = match others.is_empty() {
+        true => String::new(),
+        false => format!("; {}", listed(&others)),
+    };
+    format!(
+        "At {} rpm {} has only {} of its energy in {} bending of the tower{others}.",
+        Rpm(campbell.rotor.highest_rpm),
+        mode(&shared.named),
+        share(&shared.named),
+        shared.family.name()
+    )
 }
 
 /// A first bending mode: its plane, its class, its line.

@@ -97,6 +97,7 @@ pub fn campbell(
             .map(|(plane, index)| (*plane, class_of(*index)))
             .collect(),
         first_bending: first.iter().map(|(_, index)| *index).collect(),
+        shared: Vec::new(),
         known_to_hz: known_to_hz(solution),
         multiples: options.multiples_of(rotor),
         margins: margins(&lines, rotor, options),

@@ -20,7 +20,7 @@ mod weight;
 
 pub use campbell::{
     BEYOND_OPERATION, Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited,
-    FrequencyLine, LineEnd, Margin, StiffnessClass,
+    FrequencyLine, LineEnd, Margin, SharedFirst, StiffnessClass,
 };
 pub(crate) use class::class_along;
 pub use diagram::campbell;

@@ -214,6 +214,7 @@ pub(super) fn diagram<S: Solved>(
             margins: judged::worst(&lines, rotor, &common),
             classes: first.iter().map(|(of, class, _)| (*of, *class)).collect(),
             first_bending: first.iter().map(|(.., curve)| *curve).collect(),
+            shared: judged::shared_first(&curves, rotor),
             lines,
             not_checked: Vec::new(),
         },

@@ -6,20 +6,26 @@ use towermodes::turbine::{TurbineModeName, TurbinePart};
 
 use super::curve::{CoupledCurve, CurvePoint, SHARED, middle};
 use crate::resonance::{
-    CampbellOptions, Excited, FrequencyLine, Margin, StiffnessClass, class_along, margins,
+    CampbellOptions, Excited, FrequencyLine, Margin, SharedFirst, StiffnessClass, class_along,
+    margins,
 };
 
 /// Another mode shares the motion of a name if it has at least this share of its energy in it.
 const GOOD_PART: f64 = 0.25;
 
-/// Pieces of curves with one name each, in the order of these names and then by rotor speed. Where
-/// a curve passes its name to another curve or takes the name of another, one piece ends and the
-/// next begins in the middle of the step. Where it changes its name alone, because two parts have
-/// nearly equal energy, the piece continues: it is one mode, which is assessed once.
+/// The planes of bending.
+const PLANES: [(Family, TurbinePart); 2] = [
+    (Family::ForeAft, TurbinePart::TowerForeAft),
+    (Family::SideSide, TurbinePart::TowerSideSide),
+];
+
+/// Pieces of curves with one name and one class each, in the order of these names and then by rotor
+/// speed. Where name or class changes, one piece ends and the next begins in the middle of the
+/// step: a distance has the name that its mode has at the speed where it is least.
 pub(super) fn lines(curves: &[CoupledCurve], names: &[TurbineModeName]) -> Vec<FrequencyLine> {
     let mut all: Vec<(usize, FrequencyLine)> = Vec::new();
-    for index in 0..curves.len() {
-        for (name, line) in pieces(index, curves) {
+    for (index, curve) in curves.iter().enumerate() {
+        for (name, line) in pieces(index, curve) {
             let place = names.iter().position(|own| *own == name);
             all.push((place.unwrap_or(names.len()), line));
         }
@@ -31,28 +37,18 @@ pub(super) fn lines(curves: &[CoupledCurve], names: &[TurbineModeName]) -> Vec<F
 }
 
 /// The pieces of a curve with their names.
-fn pieces(index: usize, curves: &[CoupledCurve]) -> Vec<(TurbineModeName, FrequencyLine)> {
-    let curve = &curves[index];
-    let goes_on = |a: &CurvePoint, b: &CurvePoint| !hands_over(index, curves, [a, b]);
-    let mut first = 0;
-    let runs = curve.points.chunk_by(goes_on);
-    let of_run = |run: &[CurvePoint]| {
-        let begin = first;
-        first += run.len();
-        let name = title(run);
-        let alike = |a: &CurvePoint, b: &CurvePoint| a.class() == b.class();
-        let mut own = begin;
-        let parts = run.chunk_by(alike);
-        let piece = |part: &[CurvePoint]| {
-            let last = own + part.len() - 1;
-            let before = own.checked_sub(1).map(|k| &curve.points[k]);
-            let after = curve.points.get(last + 1);
-            own = last + 1;
-            (name, line(index, curve, name, [before, after], part))
-        };
-        parts.map(piece).collect::<Vec<_>>()
+fn pieces(index: usize, curve: &CoupledCurve) -> Vec<(TurbineModeName, FrequencyLine)> {
+    let alike = |a: &CurvePoint, b: &CurvePoint| a.name == b.name && a.class() == b.class();
+    let mut first = 0_usize;
+    let parts = curve.points.chunk_by(alike);
+    let piece = |part: &[CurvePoint]| {
+        let before = first.checked_sub(1).map(|k| &curve.points[k]);
+        first += part.len();
+        let after = curve.points.get(first);
+        let name = part[0].name;
+        (name, line(index, curve, name, [before, after], part))
     };
-    runs.flat_map(of_run).collect()
+    parts.map(piece).collect()
 }
 
 /// A piece of a curve, from the middle of the step before to the middle of the step after.
@@ -82,46 +78,8 @@ fn line(
     }
 }
 
-/// Whether a curve passes its name to another curve in a step, or takes its next name from another.
-fn hands_over(index: usize, curves: &[CoupledCurve], [a, b]: [&CurvePoint; 2]) -> bool {
-    let has_elsewhere = |name: TurbineModeName, rpm: f64| {
-        let others = curves
-            .iter()
-            .enumerate()
-            .filter(|(other, _)| *other != index);
-        let mut points = others.filter_map(|(_, other)| other.at_rpm(rpm));
-        points.any(|point| point.name == name)
-    };
-    a.name != b.name
-        && (has_elsewhere(a.name, b.rotor_speed_rpm) || has_elsewhere(b.name, a.rotor_speed_rpm))
-}
-
-/// The name of the points of one mode: the name of a tower bending mode, which has the classes, if
-/// some points have one; otherwise the name of most points, of equally frequent names the first.
-fn title(points: &[CurvePoint]) -> TurbineModeName {
-    let bends = |name: &TurbineModeName| {
-        matches!(
-            name.part,
-            TurbinePart::TowerForeAft | TurbinePart::TowerSideSide
-        )
-    };
-    let rank = |name: &TurbineModeName| {
-        let own = points.iter().filter(|point| point.name == *name);
-        (bends(name), own.count())
-    };
-    let names = points.iter().map(|point| point.name);
-    let best = names.reduce(|best, name| {
-        if rank(&name) > rank(&best) {
-            name
-        } else {
-            best
-        }
-    });
-    best.unwrap_or(points[0].name)
-}
-
-/// The distance of every name from every multiple: that of the piece with the worst verdict, and
-/// among equal verdicts the smallest.
+/// The distance of every name from every multiple: the worst of its pieces, and of these the
+/// nearest.
 pub(super) fn worst(
     lines: &[FrequencyLine],
     rotor: &Rotor,
@@ -158,11 +116,7 @@ pub(super) fn first_bending(
     lines: &[FrequencyLine],
     rotor: &Rotor,
 ) -> Vec<(Family, StiffnessClass, usize)> {
-    let planes = [
-        (Family::ForeAft, TurbinePart::TowerForeAft),
-        (Family::SideSide, TurbinePart::TowerSideSide),
-    ];
-    let first = planes.into_iter().filter_map(|(family, part)| {
+    let first = PLANES.into_iter().filter_map(|(family, part)| {
         let name = TurbineModeName { part, order: 1 };
         let class = class_along(&places(curves, name), rotor)?;
         let is_first =
@@ -199,4 +153,39 @@ fn places(curves: &[CoupledCurve], name: TurbineModeName) -> Vec<[f64; 2]> {
     }
     places.sort_by(|a, b| a[0].total_cmp(&b[0]));
     places
+}
+
+/// The first bending modes with less than 60 % of their energy in their plane at the highest
+/// operating speed, and the modes that have a quarter of the first unit of this energy or more: the
+/// rule of [`Holders`](towermodes::modes::Holders).
+pub(super) fn shared_first(curves: &[CoupledCurve], rotor: &Rotor) -> Vec<SharedFirst> {
+    let points = curves.iter();
+    let points = points.filter_map(|curve| curve.at_rpm(rotor.highest_rpm));
+    let mut points: Vec<&CurvePoint> = points.collect();
+    points.sort_by(|a, b| a.place()[1].total_cmp(&b.place()[1]));
+    let of_plane = |(family, part): (Family, TurbinePart)| {
+        let name = TurbineModeName { part, order: 1 };
+        let named = *points.iter().find(|point| point.name == name)?;
+        if named.share >= SHARED {
+            return None;
+        }
+        let mut below = 0.0;
+        let holds = |point: &&&CurvePoint| {
+            let own = point.energy.of(part);
+            let of_unit = (below + own).min(1.0) - below;
+            below += own;
+            of_unit >= GOOD_PART && point.name != name
+        };
+        let others = points.iter().filter(holds);
+        let holder = |point: &CurvePoint| {
+            let [_, hz] = point.place();
+            (point.name.to_string(), hz, point.energy.of(part))
+        };
+        Some(SharedFirst {
+            family,
+            named: holder(named),
+            others: others.map(|point| holder(point)).collect(),
+        })
+    };
+    PLANES.into_iter().filter_map(of_plane).collect()
 }

@@ -51,13 +51,14 @@ pub(super) fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
     let mut before: Option<&FrequencyLine> = None;
     let rows = shown.iter().map(|margin| {
         let line = &campbell.lines[margin.line];
-        // The name of a mode is printed once.
-        let is_same = |before: &FrequencyLine| before.is_of_same_mode(line);
-        let label = match before.replace(line).is_some_and(is_same) {
-            true => String::new(),
-            false => line.label.clone(),
+        // The name of a mode is printed once, its class where it changes.
+        let before = before.replace(line);
+        let before = before.filter(|before| before.is_of_same_mode(line));
+        let label = match before {
+            Some(_) => String::new(),
+            None => line.label.clone(),
         };
-        let class = match label.is_empty() {
+        let class = match before.is_some_and(|before| before.class() == line.class()) {
             true => String::new(),
             false => line.class().name().to_owned(),
         };
@@ -202,6 +203,7 @@ mod tests {
             known_to_hz: None,
             classes: Vec::new(),
             first_bending: Vec::new(),
+            shared: Vec::new(),
             not_checked: Vec::new(),
         }
     }
@@ -256,6 +258,7 @@ mod tests {
             lines: lines.to_vec(),
             margins: all,
             first_bending: vec![1, 2],
+            shared: Vec::new(),
             ..campbell()
         };
         let tower = Tower::new(TowerDescription {

@@ -182,12 +182,13 @@ fn meetings(coupled: &CoupledCampbell, all: bool) -> String {
     text
 }
 
-/// The places where a curve changes its name, within the operating speeds or all.
+/// The places between the columns of the table of modes, or all, where a curve changes its name:
+/// the numbers of a row of that table belong to different curves on both sides.
 fn changes(coupled: &CoupledCampbell, all: bool) -> String {
-    let rotor = &coupled.campbell.rotor;
-    let operation = rotor.lowest_rpm..=rotor.highest_rpm;
+    let columns = columns_rpm(coupled);
+    let reached = columns[0]..=columns[columns.len() - 1];
     let changes = coupled.changes().into_iter();
-    let shown = changes.filter(|change| all || operation.contains(&change.rotor_speed_rpm));
+    let shown = changes.filter(|change| all || reached.contains(&change.rotor_speed_rpm));
     let rows: Vec<[String; 4]> = shown
         .map(|change| {
             [

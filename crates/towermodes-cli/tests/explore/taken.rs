@@ -60,6 +60,25 @@ fn examples_taken_away_have_the_bits_of_the_page() {
     }
 }
 
+/// The file that is taken away has the verdicts of the page without the options of the page.
+#[test]
+fn speeds_of_the_command_line_are_in_the_file() {
+    let folder = copy();
+    let tower = folder.join("reference-tower.toml");
+    let file = tower.to_string_lossy().into_owned();
+    let explorer = Explorer::start(&[&file, "--rpm", "5,9", "--blades", "4"]);
+    let question = json!({ "numbers": {}, "what": "tower" }).to_string();
+    let taken = explorer.ask("POST", "take", question.as_bytes());
+    let variant = folder.join("reference-tower-variant.toml");
+    std::fs::write(&variant, &taken.body).expect("written");
+    let found = json_of(&["campbell", &variant.to_string_lossy()]);
+    let rotor = &found["rotor"];
+    assert_eq!(
+        *rotor,
+        json_of(&["campbell", &file, "--rpm", "5,9", "--blades", "4"])["rotor"]
+    );
+}
+
 fn same_bits(tower: &Path) {
     let file = tower.to_string_lossy().into_owned();
     let explorer = Explorer::start(&[&file]);

@@ -29,13 +29,15 @@ use crate::error::ReadError;
 use crate::input::{FileFormat, ReadOptions, RotorLock, TowerInput};
 use crate::note::Note;
 use crate::places::{Places, TABLE};
-use crate::resolver::{FileResolver, beside};
+use crate::resolver::{FileResolver, beside, found_elsewhere};
 use crate::source::Source;
 use crate::turbine::TurbineReading;
 
 /// Nacelles of turbines on towers above [`HIGH_TOWER_M`] have at least this mass, kg.
 const LIGHTEST_NACELLE_KG: f64 = 1e3;
-/// Small turbines have lower towers than this, m.
+/// Smallest usual shaft tilt other than 0, degrees: 12 degrees are 0.209 rad.
+const LEAST_TILT_DEG: f64 = 0.21;
+/// Small turbines stand on lower towers, m.
 const HIGH_TOWER_M: f64 = 40.0;
 
 /// An ElastoDyn model and the tower that it describes.
@@ -92,6 +94,8 @@ struct Model {
     tower_source: Source,
     reading: TowerReading,
     blades: Blades,
+    /// The note on a tower file that is not at its path.
+    tower_elsewhere: Option<Note>,
     /// The yaw spring, if the nacelle yaws and there is an `.fst` file.
     yaw: Option<YawSpring>,
     /// The operating speeds, if there is an `.fst` file.
@@ -116,6 +120,8 @@ impl Model {
             files,
         };
         let tower_source = named.read(&main.tower_file, "TwrFile", main.place("TwrFile"))?;
+        let (key, at) = ("TwrFile", main.place("TwrFile"));
+        let tower_elsewhere = named.elsewhere(&main.tower_file, key, at.start, &tower_source);
         let reading = read_with_places(&tower_source);
         let reading = reading.map_err(|mistake| ReadError::mistake(&tower_source, mistake))?;
         let blades = match options.without_rna {
@@ -149,6 +155,7 @@ impl Model {
             tower_source,
             reading,
             blades,
+            tower_elsewhere,
             yaw,
             controls,
         })
@@ -271,6 +278,8 @@ impl Model {
     fn notes(&self, ends: Ends, options: &ReadOptions) -> Vec<Note> {
         let main = &self.main;
         let mut notes = self.found.notes.clone();
+        notes.extend(self.tower_elsewhere.clone());
+        notes.extend_from_slice(&self.blades.elsewhere);
         notes.extend_from_slice(&self.controls.notes);
         if let Some(fst) = &self.found.fst {
             notes.extend(fst::notes(fst, main, &self.below.parts, options.clamped));
@@ -289,6 +298,7 @@ impl Model {
             let masses = &self.blades.masses;
             notes.extend(lump::notes(main, &self.found.source, masses, options.rotor));
             notes.extend(self.light_nacelle(ends));
+            notes.extend(self.tilt_in_radians());
         }
         notes
     }
@@ -308,8 +318,21 @@ impl Model {
         })
     }
 
-    /// The parts that the model has and the tower lacks: those of the `.fst` file, and a moving
-    /// platform if there is no substructure.
+    /// The note on a shaft tilt that is probably in radians.
+    fn tilt_in_radians(&self) -> Option<Note> {
+        let tilt_deg = self.main.shaft_tilt_deg;
+        (tilt_deg != 0.0 && tilt_deg.abs() < LEAST_TILT_DEG).then(|| {
+            let message = format!(
+                "ShftTilt is {} degrees; shafts are tilted by some degrees or not at all: the unit is degrees, and 5 degrees are 0.0873 rad",
+                Plain(tilt_deg)
+            );
+            let at = self.main.place("ShftTilt").start;
+            Note::suspicious(message).at(&self.found.source, at)
+        })
+    }
+
+    /// The parts that the model has and the tower lacks: those of the `.fst` file, and a platform
+    /// that moves where no substructure does.
     fn missing_parts(&self) -> Vec<MissingPart> {
         let read = &self.below.parts;
         let fst = self.found.fst.as_ref();
@@ -404,7 +427,13 @@ impl Named<'_> {
 }
 
 impl Named<'_> {
-    /// Whether the file of the first blade exists.
+    /// The note on a file that was found at another place than at its path.
+    fn elsewhere(&self, path: &str, key: &str, at: usize, found: &Source) -> Option<Note> {
+        let note = found_elsewhere(self.files, key, path, found);
+        note.map(|note| note.at(self.source, at))
+    }
+
+    /// Whether the file of the first blade is there.
     fn has_blades(&self, main: &MainFile) -> bool {
         let first = main.blade_files.first();
         first.is_some_and(|path| self.files.read(&beside(self.folder, path)).is_ok())
@@ -420,6 +449,8 @@ struct Blades {
     masses: Vec<BladeMasses>,
     /// The content of each blade's file.
     files: Vec<BladeFile>,
+    /// Notes on files that are not at their paths.
+    elsewhere: Vec<Note>,
 }
 
 fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
@@ -428,6 +459,10 @@ fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
     for (path, key) in main.blade_files.iter().zip(BLADES) {
         if !read.contains_key(path.as_str()) {
             let source = named.read(path, key, main.place(key))?;
+            let at = main.place(key).start;
+            blades
+                .elsewhere
+                .extend(named.elsewhere(path, key, at, &source));
             let blade = read_blade_file(&source).map_err(|m| ReadError::mistake(&source, m))?;
             blades.sources.push(source);
             read.insert(path, blade);

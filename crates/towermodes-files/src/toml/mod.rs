@@ -80,6 +80,8 @@ pub(crate) fn read_toml(source: Source, files: &dyn FileResolver) -> Result<Towe
             input.notes = notes.chain(described.other_notes).collect();
             input.places = described.places;
             input.sources.extend(described.others);
+            let of_turbine = described.turbine.as_ref().map(|turbine| turbine.blades);
+            input.blades = input.blades.or(of_turbine);
             input.turbine = described.turbine;
             Ok(input)
         }

@@ -506,6 +506,19 @@ fn a_written_tower_file_has_the_damping_of_the_deck() {
     notes.join(" ").says("are reset to 1 in the written file");
 }
 
+/// -5 degrees in radians.
+#[test]
+fn a_tilt_in_radians_is_a_warning() {
+    let said = |tilt: &str| {
+        let said = messages(&deck(&[("ShftTilt", tilt)]));
+        said.iter()
+            .any(|note| note.contains("ShftTilt is -0.0873 degrees"))
+    };
+    assert!(said("-0.0873") && !said("-5") && !said("0"));
+    let small = messages(&deck(&[("ShftTilt", "0.3")]));
+    assert!(!small.iter().any(|note| note.contains("ShftTilt is")));
+}
+
 /// 644.857 in place of 644857.
 #[test]
 fn a_nacelle_in_tonnes_is_a_warning() {

@@ -87,6 +87,49 @@ impl FileResolver for Flat {
     }
 }
 
+/// The files of a folder, found by the last part of a path without regard to capital letters.
+struct Folder(InMemory);
+
+impl FileResolver for Folder {
+    fn read(&self, path: &str) -> Result<Source, FileError> {
+        let last = path.rsplit(['/', '\\']).next().unwrap_or(path);
+        let mut files = self.0.files.iter();
+        let found = files.find(|(name, _)| name.eq_ignore_ascii_case(last));
+        let missing = || FileError::Missing { name: path.into() };
+        let (name, text) = found.ok_or_else(missing)?;
+        let (name, text) = (format!("deck/{name}"), text.clone());
+        Ok(Source { name, text })
+    }
+}
+
+const BLADES: [&str; 3] = ["BldFile(1)", "BldFile(2)", "BldFile(3)"];
+
+/// A path of another machine and other capital letters are read, with a note.
+#[test]
+fn a_file_in_place_of_another_has_a_note() {
+    let mut companions = files(TOWER);
+    let blade = companions.files.remove("parts\\blade.dat");
+    let blade = blade.expect("a blade");
+    companions.files.insert("blade.dat".into(), blade);
+    let said = |tower: &str, blade: &str| {
+        let blades = BLADES.map(|key| (key, blade));
+        let main = main_text(5, &[&blades[..], &[("TwrFile", tower)]].concat());
+        let files = Folder(companions.clone());
+        let read = read_elastodyn(source("main.dat", &main), &files, &ReadOptions::default());
+        let said = messages(&read.expect("a deck")).into_iter();
+        let said = said.filter(|note| note.contains("there is no"));
+        said.map(|note| note.split_once(": ").expect("a place").1.to_owned())
+            .collect::<Vec<_>>()
+    };
+    let none: [&str; 0] = [];
+    assert_eq!(said("\"tower.dat\"", "\"blade.dat\""), none);
+    let expected = [
+        "TwrFile: there is no C:\\models\\tower.dat; deck/tower.dat is used",
+        "BldFile(1): there is no Blade.dat; deck/blade.dat is used, whose name has other capital letters",
+    ];
+    assert_eq!(said("\"C:\\models\\tower.dat\"", "\"Blade.dat\""), expected);
+}
+
 /// Where a file is found beside the `.fst` file, a note says so, and the files that it names are
 /// looked for from there.
 #[test]

@@ -6,8 +6,13 @@ use towermodes::{EquilibriumPose, StaticBalance};
 /// Displacements (m) and rotations (degrees) smaller than this are omitted.
 const NAMED: f64 = 5e-3;
 
-/// Weights, buoyancy, lines, the residual, and the position in equilibrium.
+/// "static balance: " with weights, buoyancy, lines, what they leave, and where they are in balance.
 pub fn static_balance(balance: &StaticBalance) -> String {
+    format!("static balance: {}", forces_and_place(balance))
+}
+
+/// Weights, buoyancy, lines, what they leave, and where they are in balance.
+pub(crate) fn forces_and_place(balance: &StaticBalance) -> String {
     let force = |value_n: f64| format!("{} MN", digits(value_n / 1e6, 5));
     let equilibrium = match &balance.equilibrium {
         Ok(pose) => format!("equilibrium {}", place(pose)),
@@ -18,7 +23,7 @@ pub fn static_balance(balance: &StaticBalance) -> String {
         false => "",
     };
     format!(
-        "static balance: weight {}, buoyancy {} and mooring lines {} leave {} kN ({} % of the weight); {equilibrium}{stiffness}",
+        "weight {}, buoyancy {} and mooring lines {} leave {} kN ({} % of the weight); {equilibrium}{stiffness}",
         force(balance.weight_n()),
         force(balance.buoyancy_n),
         force(balance.lines_n),

@@ -11,6 +11,7 @@ mod rotor;
 mod text;
 mod turbine;
 
+pub(crate) use balance::forces_and_place;
 pub use balance::static_balance;
 pub use completeness::{completeness, proof_of_completeness};
 pub use mode::{blade_mode_shape, coupled_shape, mode_shape};

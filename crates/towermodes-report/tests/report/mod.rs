@@ -274,6 +274,8 @@ fn the_model_that_governs_is_named() {
     let summary = section(&page, "summary");
     summary.says_all("Governing model & The coupled turbine & With a rigid rotor: ");
     summary.says_all("Verdicts on the turbine with rotating rotor & 1st tower fore-aft");
+    section(&page, "assumptions")
+        .says("With a rigid rotor the rotor-nacelle assembly is one rigid body");
     // The bar of the first frequencies is that of the same model.
     summary.says("1st tower side-side is at 0.3184 Hz");
     for title in [

@@ -31,6 +31,16 @@ test("the near part ends above the first modes and the blade passing frequency",
   assert.equal(whole.above, 0);
 });
 
+test("the near part of a floating tower reaches the first modes of the tower", () => {
+  // Up to 3.63 rpm, where 3P is at 0.18 Hz.
+  const at = (label: string, mode: number, hz: number, of: string): DiagramLine =>
+    ({ ...line(label, mode, hz), class: of, points: [[0, hz], [3.63, hz]] });
+  const rigid = [at("1st platform surge", 1, 0.007, "platform"), at("1st platform sway", 2, 0.008, "platform")];
+  const bending = [at("1st tower fore-aft", 3, 0.516, "tower"), at("1st tower side-side", 4, 0.529, "tower")];
+  const { last_hz } = contentOf(source({ ...RESONANCE, operation_rpm: [2, 3], lines: [...rigid, ...bending] }), null, null, false);
+  assert.ok(Math.abs(last_hz - 1.3 * 0.529) < 1e-12, `${last_hz}`);
+});
+
 test("a ribbon has the margin to both sides of its ray", () => {
   const { ribbons } = contentOf(source(), null, null, false);
   // Twice the margin first, so that the margin is on top; 1P and 3P each.

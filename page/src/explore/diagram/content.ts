@@ -60,7 +60,7 @@ export interface Source {
 
 /** Diagrams go to this multiple of the highest operating speed. */
 const BEYOND = 1.2;
-/** The near part ends at this multiple of the lowest two bending frequencies … */
+/** The near part ends at this multiple of the lowest two frequencies of the tower … */
 const ABOVE_FIRST = 1.3;
 /** … and of the end of the ray of the blade passing frequency. */
 const ABOVE_RAY = 1.03;
@@ -110,7 +110,10 @@ function linesOf({ resonance, look }: Source, isOther: boolean, last_rpm: number
 }
 
 function nearHz(resonance: Resonance, lines: Line[], last_rpm: number): number {
-  const own = resonance.lines.filter((line) => line.class !== "blades" && line.points.some(([, hz]) => hz > 0));
+  const judged = resonance.lines.filter((line) => line.class !== "blades" && line.points.some(([, hz]) => hz > 0));
+  // The modes of a floating platform are far below those of its tower.
+  const ofTower = judged.filter((line) => line.class === "tower");
+  const own = ofTower.length > 0 ? ofTower : judged;
   const lowest = own.map(({ points }) => Math.max(...points.map(([, hz]) => hz))).sort((a, b) => a - b);
   const first = Math.max(0, ...lowest.slice(0, 2));
   const chosen = lines.filter(({ isChosen }) => isChosen).flatMap(({ points }) => points.map(([, hz]) => hz));

@@ -75,7 +75,11 @@ export class ParameterPanel {
       if (parameter.group === index && parameter.follows === null) section.entries.push(this.entry(parameter, place));
     });
     section.columns = section.columns.filter(({ indices }) => indices.length > 1);
-    element.append(...section.columns.map(({ row }) => row.element), ...section.entries.map(({ row }) => row.element));
+    // A column of which all numbers are zero or rigid has a slider that does nothing: it comes last.
+    const isMoved = ({ indices }: Column): boolean => indices.some((index) => isMultiplied(this.sheet.parameters[index]?.value ?? 0));
+    const rows = (of: { row: Row }[]): HTMLElement[] => of.map(({ row }) => row.element);
+    const still = section.columns.filter((column) => !isMoved(column));
+    element.append(...rows(section.columns.filter(isMoved)), ...rows(section.entries), ...rows(still));
     element.addEventListener("toggle", () => {
       if (!element.open) return;
       this.showSection(section);

@@ -51,7 +51,8 @@ export class TurbinePanel {
   /** The range of the slider, and where it begins. */
   range(last_rpm: number, first_rpm: number | null): void {
     this.slider.max = String(Number(last_rpm.toPrecision(4)));
-    this.slider.step = String(Number((last_rpm / STEPS).toPrecision(1)));
+    // A power of ten: the slider can stand at a speed of few digits, such as the highest in operation.
+    this.slider.step = String(10 ** Math.floor(Math.log10(last_rpm / STEPS)));
     if (first_rpm !== null) this.slider.value = String(first_rpm);
     this.showSpeed();
   }

@@ -166,6 +166,7 @@ mod tests {
             margins: Vec::new(),
             classes: Vec::new(),
             first_bending: Vec::new(),
+            shared: Vec::new(),
             not_checked: Vec::new(),
         };
         let foremost = |last, most| foremost(&campbell, (1..=last).collect(), most);

@@ -41,6 +41,7 @@ pub(super) fn drawing(bar: &Bar) -> Drawing {
         let y = ABOVE + LANE * (index as f64 + 0.5);
         draw_lane(&mut drawing, &axes, lane, (index, y));
     }
+    name_verdicts(&mut drawing, &axes, &bar.ranges);
     draw_note(&mut drawing, height);
     drawing
 }
@@ -93,6 +94,17 @@ fn name_ranges(drawing: &mut Drawing, axes: &Axes, ranges: &[Range]) {
     for (text, x) in texts.iter().zip(places) {
         drawing.text((x, axes.frame.top - 10.0), text, &style);
     }
+}
+
+/// "1P, 3P:" above the verdicts, which are on these excitations alone.
+fn name_verdicts(drawing: &mut Drawing, axes: &Axes, ranges: &[Range]) {
+    let multiples: Vec<String> = ranges
+        .iter()
+        .map(|of| format!("{}P", of.multiple))
+        .collect();
+    let place = (axes.frame.right + 12.0, axes.frame.top - 10.0);
+    let style = TextStyle::new(SMALL).colour(Colour::Muted);
+    drawing.text(place, &format!("{}:", multiples.join(", ")), &style);
 }
 
 /// "3P: 0.345 to 0.605 Hz".

@@ -89,7 +89,7 @@ fn lacks(content: &ReportContent) -> Option<String> {
     let there: Vec<String> = there.map(|(_, what)| what.to_owned()).collect();
     (!there.is_empty()).then(|| {
         format!(
-            "The ElastoDyn tower is clamped to its platform and does not include {}. Their effect on the frequencies must come from other \
+            "The ElastoDyn tower is clamped to its platform and does not include {}. The effect of these parts on the frequencies must come from other \
              modules of OpenFAST; otherwise it is missing in the OpenFAST model.",
             listed(&there)
         )

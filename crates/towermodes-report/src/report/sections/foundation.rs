@@ -93,12 +93,22 @@ fn floating(given_platform: &FloatingPlatform, tower: &Tower) -> Vec<Block> {
     let matrices = [
         ("Added mass (kg, kg m, kg m²)", &platform.added_mass),
         (hydrostatic, &platform.hydrostatic),
-        ("Mooring stiffness (N/m, N, N m)", &platform.mooring),
     ];
     for (name, referred) in matrices {
         blocks.extend(referred_matrix(name, referred));
     }
-    blocks.extend(lines_at_rest(given_platform).iter().flat_map(mooring));
+    let lines = lines_at_rest(given_platform);
+    // The table of the lines has the same matrix if they are all that holds the platform.
+    let is_of_lines = |lines: &LinesAtRest<'_>| {
+        let moored = &platform.mooring;
+        lines.state.load.stiffness == moored.matrix
+            && lines.of.reference_height_m() == moored.height_m
+    };
+    if !lines.as_ref().is_some_and(is_of_lines) {
+        let name = "Mooring stiffness (N/m, N, N m)";
+        blocks.extend(referred_matrix(name, &platform.mooring));
+    }
+    blocks.extend(lines.iter().flat_map(mooring));
     blocks.extend(static_balance(tower));
     blocks
 }
@@ -223,9 +233,15 @@ fn matrix(caption: &str, matrix: &[[f64; 6]; 6], number: impl Fn(f64) -> String)
     let names = MOTIONS.map(|motion| format!("#{motion}"));
     let header = ["motion"].into_iter();
     let mut table = Table::new(caption, header.chain(names.iter().map(String::as_str)));
-    for (motion, row) in MOTIONS.into_iter().zip(matrix) {
+    // What is left by rounding is shown as zero.
+    let shown = |row: usize, column: usize| {
+        let least = f64::EPSILON * (matrix[row][row] * matrix[column][column]).abs().sqrt();
+        let value = matrix[row][column];
+        if value.abs() < least { 0.0 } else { value }
+    };
+    for (row, motion) in MOTIONS.into_iter().enumerate() {
         let mut cells = vec![motion.to_owned()];
-        cells.extend(row.iter().map(|value| number(*value)));
+        cells.extend((0..6).map(|column| number(shown(row, column))));
         table.push(cells);
     }
     table

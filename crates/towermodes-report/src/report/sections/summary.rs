@@ -10,7 +10,9 @@ use super::resonance::has_blade;
 use super::{own_picture, table, verdicts};
 use crate::figures;
 use crate::number::{digits, four_digits, margin_percent};
-use crate::wording::{completeness, counted, sentence, verdict_counts, verdict_word};
+use crate::wording::{
+    completeness, counted, forces_and_place, sentence, verdict_counts, verdict_word,
+};
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let missing = content.circumstances.model_notes.iter();
@@ -20,6 +22,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let rigid = content.campbell.as_ref().and_then(|of| of.as_ref().ok());
     let mut statements = vec![resonance(content, governing.or(rigid))];
     statements.extend(turbine.map(|_| models(rigid)));
+    statements.extend(balance(content));
     statements.push(verification(content));
     let mut blocks = vec![Block::Statements(statements)];
     if !missing.is_empty() {
@@ -41,7 +44,7 @@ fn verdict_table(
     let is_checked = |campbell: &&Campbell| campbell.not_checked.is_empty();
     if let Some(of) = turbine {
         let (coupled, is_first) = (&of.coupled, verdicts::is_first_of_turbine);
-        let caption = "Verdicts on the turbine with rotating rotor; frequencies at the rotor speed of the nearest excitation";
+        let caption = "Verdicts on the turbine with rotating rotor: the first modes of tower and drivetrain, and all modes with WARN or FAIL (all other pairs pass); frequencies at the rotor speed of the nearest excitation";
         return match is_checked(&&coupled.campbell) {
             true => verdicts::of_diagram(&coupled.campbell, caption, is_first),
             false => verdicts::of_unjudged_turbine(coupled),
@@ -142,7 +145,17 @@ fn models(rigid: Option<&Campbell>) -> Statement {
     }
 }
 
-/// The number of pairs checked, and how many of them pass, warn and fail.
+/// What weights, buoyancy and mooring lines of a floating tower leave, and its equilibrium.
+fn balance(content: &ReportContent) -> Option<Statement> {
+    let balance = content.tower.static_balance()?;
+    Some(Statement {
+        lead: "Static balance",
+        text: sentence(&forces_and_place(&balance)),
+        verdict: None,
+    })
+}
+
+/// How many pairs were checked, and how many of them pass, warn and fail.
 fn counts(campbell: &Campbell) -> String {
     let [pass, warn, fail] = verdict_counts(campbell);
     let (modes, unchecked) = match has_blade(campbell) {

@@ -50,13 +50,20 @@ pub(super) fn without_verdicts(first: &[&Mode], caption: &str) -> Table {
     table
 }
 
-/// The first modes of tower and drivetrain of a turbine without verdicts, at the highest rotor
-/// speed.
+/// The first modes of tower and drivetrain of a turbine without verdicts and the second bending
+/// modes of its tower, at the highest operating speed; at standstill if that is unknown.
 pub(super) fn of_unjudged_turbine(coupled: &CoupledCampbell) -> Table {
-    let rpm = coupled.campbell.rotor.highest_rpm;
-    let caption = format!("First modes of the turbine at {} rpm", Rpm(rpm));
+    let (rpm, place) = match coupled.campbell.speeds_are_known() {
+        true => {
+            let rpm = coupled.campbell.rotor.highest_rpm;
+            (rpm, format!("at {} rpm", Rpm(rpm)))
+        }
+        false => (0.0, "at standstill".to_owned()),
+    };
+    let caption = format!("First modes of the turbine {place}");
     let mut table = Table::new(caption, ["mode", "#f (Hz)", "#period (s)"]);
-    for name in coupled.names.iter().filter(|name| is_first(**name)) {
+    let is_shown = |name: &&TurbineModeName| is_first(**name) || is_second_bending(**name);
+    for name in coupled.names.iter().filter(is_shown) {
         if let Some(point) = coupled.at_rpm(*name, rpm) {
             let own_hz = point.frequency.frequency_hz;
             table.push([name.to_string(), hz(own_hz), period(own_hz)]);
@@ -101,6 +108,11 @@ pub(super) fn is_first_of_turbine(line: &FrequencyLine) -> bool {
 
 fn is_first(name: TurbineModeName) -> bool {
     name.order == 1 && !matches!(name.part, TurbinePart::Blades(..))
+}
+
+fn is_second_bending(name: TurbineModeName) -> bool {
+    let bends = [TurbinePart::TowerForeAft, TurbinePart::TowerSideSide];
+    name.order == 2 && bends.contains(&name.part)
 }
 
 fn row(campbell: &Campbell, line: &FrequencyLine, decisive: Option<&Margin>) -> Vec<Cell> {

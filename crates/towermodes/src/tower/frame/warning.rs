@@ -23,6 +23,9 @@ const FARTHEST_M: f64 = 1000.0;
 /// 1e5 times the modulus of steel.
 const MODULUS_PA: [f64; 2] = [1e9, 1e17];
 
+/// Densities of solid materials in t/m³. Members without mass have 0, and nearly none up to 1 kg/m³.
+const IN_TONNES: [f64; 2] = [1.0, 30.0];
+
 /// A probable mistake that the user should check, with its numbers. There is one warning of each
 /// kind, with the part that deviates most and the number of other parts with the same problem.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -117,6 +120,21 @@ pub enum FrameWarning {
         /// Young's modulus, Pa.
         youngs_modulus_pa: f64,
     },
+    /// A density that is probably in t/m³.
+    #[error(
+        "member {name}{}: density is {} kg/m3; no structural material has so little; steel has 7850; the unit is kg/m3",
+        and_others(*.others), Plain(*.density_kg_per_m3)
+    )]
+    UnusualDensity {
+        /// The member, from 0.
+        member: usize,
+        /// Its name.
+        name: String,
+        /// How many other members have such a density.
+        others: usize,
+        /// Density, kg/m³.
+        density_kg_per_m3: f64,
+    },
     /// Moduli that are probably exchanged.
     #[error(
         "member {name}{}: the shear modulus {} Pa is larger than Young's modulus {} Pa: this is impossible for an isotropic material; steel has 8.08e10 and 2.1e11: check whether both are exchanged",
@@ -154,6 +172,7 @@ impl FrameWarning {
             | Self::Long { member, .. }
             | Self::SameJoints { member, .. }
             | Self::UnusualModulus { member, .. }
+            | Self::UnusualDensity { member, .. }
             | Self::ShearAboveYoungs { member, .. } => FramePart::Member(member),
             Self::Far { joint, .. } => FramePart::Joint(joint),
         }
@@ -170,6 +189,7 @@ impl Frame {
             large(description),
             unusual_wall(description),
             unusual_modulus(description),
+            unusual_density(description),
             shear_above_youngs(description),
         ];
         let mut warnings: Vec<FrameWarning> = of_kinds.into_iter().flatten().collect();
@@ -296,6 +316,22 @@ fn unusual_modulus(frame: &FrameDescription) -> Option<FrameWarning> {
         name: found.name.clone(),
         others,
         youngs_modulus_pa,
+    })
+}
+
+fn unusual_density(frame: &FrameDescription) -> Option<FrameWarning> {
+    let densities = materials(frame).map(|(index, member, material)| {
+        let density = material.density_kg_per_m3;
+        (density, (index, member, density))
+    });
+    let [least, most] = IN_TONNES;
+    let wrong = densities.filter(|(density, _)| least < *density && *density < most);
+    let ((member, found, density_kg_per_m3), others) = worst(wrong)?;
+    Some(FrameWarning::UnusualDensity {
+        member,
+        name: found.name.clone(),
+        others,
+        density_kg_per_m3,
     })
 }
 

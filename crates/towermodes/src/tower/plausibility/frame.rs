@@ -18,11 +18,12 @@ pub(super) fn check(
     foundation: &FrameFoundation,
     warnings: &mut Vec<Warning>,
 ) {
-    // The moduli of the tower's own materials were checked.
+    // The values of the tower's own materials were checked.
     let of_tower = |member: usize| matches!(foundation.materials.get(member), Some(Some(_)));
     let found = foundation.frame.warnings().into_iter();
     let found = found.filter(|warning| match warning {
         FrameWarning::UnusualModulus { member, .. }
+        | FrameWarning::UnusualDensity { member, .. }
         | FrameWarning::ShearAboveYoungs { member, .. } => !of_tower(*member),
         FrameWarning::UnusualWall { .. }
         | FrameWarning::LargeDiameter { .. }

@@ -239,6 +239,12 @@ impl TurbineEnergy {
         self.stationary().chain(blades).collect()
     }
 
+    /// The energy of a part.
+    pub fn of(&self, part: TurbinePart) -> f64 {
+        let own = self.parts().into_iter().filter(|(other, _)| *other == part);
+        own.map(|(_, energy)| energy).sum()
+    }
+
     /// How the two whirls of a motion of the blades together move the nacelle; none for other
     /// parts.
     pub fn nodding_of(&self, part: TurbinePart) -> Option<Nodding> {

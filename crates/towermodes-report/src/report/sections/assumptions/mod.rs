@@ -107,9 +107,13 @@ fn gravity(content: &ReportContent) -> String {
 fn rna(content: &ReportContent) -> String {
     let tower = &content.tower;
     if !tower.rna().is_absent() {
-        return "The rotor-nacelle assembly is one rigid body fixed to the tower top. Blade flexibility, gyroscopic moments and aerodynamic \
-                stiffness of the rotating rotor are neglected."
-            .to_owned();
+        let body = "rotor-nacelle assembly is one rigid body fixed to the tower top. Blade flexibility, gyroscopic moments and aerodynamic stiffness of the rotating rotor are neglected";
+        return match content.turbine {
+            Some(Ok(_)) => format!(
+                "With a rigid rotor the {body}. The coupled turbine has flexible blades, the gyroscopic moments of the rotating rotor, and no aerodynamic stiffness."
+            ),
+            Some(Err(_)) | None => format!("The {body}."),
+        };
     }
     let mut options = content.circumstances.reading.split_whitespace();
     let why = if options.any(|option| option == "--no-rna") {
