@@ -75,7 +75,9 @@ pub enum FileError {
         remedy: &'static str,
     },
     /// It is a workbook of a spreadsheet.
-    #[error("{name}: this is an Excel workbook or an archive, not a text file; save the sheet as CSV")]
+    #[error(
+        "{name}: this is an Excel workbook or an archive, not a text file; save the sheet as CSV"
+    )]
     Workbook {
         /// The path.
         name: String,

@@ -73,7 +73,9 @@ impl Header {
         }
         if columns.is_empty() && mistakes.len() > 1 {
             let kind = DiagnosticKind::misplaced(EXPECTED, "none that is known");
-            return Err(vec![Diagnostic::new(record.span.clone(), kind).with_hint(EXAMPLE)]);
+            return Err(vec![
+                Diagnostic::new(record.span.clone(), kind).with_hint(EXAMPLE),
+            ]);
         }
         if !mistakes.is_empty() {
             return Err(mistakes);

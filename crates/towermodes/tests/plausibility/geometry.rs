@@ -137,10 +137,18 @@ fn steps_of_the_diameter_between_welded_cans() {
     assert_eq!(warning.place(), Some(Place::Station { index, key }));
     // A mast of pipes in each other, a steel tower on one of concrete.
     quiet(reference(), |t| {
-        t.stations = stations(&[(0.0, 0.3, 0.01), (6.0, 0.3, 0.01), (6.0, 0.2, 0.01), (12.0, 0.2, 0.01)]);
+        t.stations = stations(&[
+            (0.0, 0.3, 0.01),
+            (6.0, 0.3, 0.01),
+            (6.0, 0.2, 0.01),
+            (12.0, 0.2, 0.01),
+        ]);
     });
     quiet(reference(), |t| {
-        t.materials = vec![Material::from_poissons_ratio(2500.0, 3.6e10, 0.2), t.materials[0].clone()];
+        t.materials = vec![
+            Material::from_poissons_ratio(2500.0, 3.6e10, 0.2),
+            t.materials[0].clone(),
+        ];
         cans(5.0)(t);
         t.stations[2].material = 1;
         t.stations[3].material = 1;

@@ -79,7 +79,7 @@ fn shades(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
     let mut entries = Vec::new();
     if let Some([from_hz, to_hz]) = window_hz(campbell) {
         let text = format!(
-            "soft-stiff without the {} % margin: {} to {} Hz",
+            "soft-stiff with {} % margin kept: {} to {} Hz",
             percent(campbell.margin),
             four_digits(from_hz),
             four_digits(to_hz)

@@ -156,14 +156,16 @@ fn steps(stations: &[Station], materials: &[Material], warnings: &mut Vec<Warnin
     let inner = 2..stations.len().saturating_sub(1);
     let largest = inner.filter(is_odd);
     let largest = largest.max_by(|a, b| step_m(*a).total_cmp(&step_m(*b)));
-    warnings.extend(largest.map(|index| Warning::DiameterStep {
-        site: Site::at(Place::Station {
-            index,
-            key: "diameter",
-        })
-        .high(stations[index].height_m),
-        below_m: stations[index - 1].outer_diameter_m,
-        above_m: stations[index].outer_diameter_m,
+    warnings.extend(largest.map(|index| {
+        Warning::DiameterStep {
+            site: Site::at(Place::Station {
+                index,
+                key: "diameter",
+            })
+            .high(stations[index].height_m),
+            below_m: stations[index - 1].outer_diameter_m,
+            above_m: stations[index].outer_diameter_m,
+        }
     }));
 }
 
