@@ -423,7 +423,9 @@ fn the_reproducing_commands_are_in_the_order_of_the_file() {
     let shell = explorer.answer("reproduce", &json!({ "numbers": numbers }));
     let shell = shell["shell"].as_str().expect("text").to_owned();
     let first = shell.lines().next().expect("a line");
-    first.ends("--set 'stations[2].wall=0.026' --set 'stations[10].wall=0.021' --set rna.mass=340000");
+    first.ends(
+        "--set 'stations[2].wall=0.026' --set 'stations[10].wall=0.021' --set rna.mass=340000",
+    );
 }
 
 /// The command that the page shows gives the digits of the page; a factor of a whole column is one

@@ -13,6 +13,7 @@ use super::super::text::values::{
 };
 use super::materials::Materials;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::source::FileError;
 use crate::station_table::{self, Placed};
 
 /// `stations`: the rows, or the name of a file with them. Names of materials are not checked if the
