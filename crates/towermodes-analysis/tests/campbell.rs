@@ -605,6 +605,15 @@ fn a_weak_excitation_is_a_warning_of_other_multiples() {
     assert_eq!(conclusion[2], other);
 }
 
+/// 6P crosses 1.1 Hz at 11 rpm and 9P at 7.3 rpm.
+#[test]
+fn of_several_crossings_the_lowest_multiple_decides() {
+    let diagram = diagram([0.27, 1.1], 0.0, NREL);
+    let line = diagram.lines.iter().find(|line| line.points[0][1] == 1.1);
+    let decisive = diagram.decisive(line.expect("the line")).expect("a margin");
+    assert_eq!((decisive.multiple, decisive.distance), (6, 0.0));
+}
+
 /// 0.345/0.33 − 1 is 4.5 %, less than the required 5 %; 0.345/0.32 − 1 is 7.8 %, less than twice
 /// that.
 #[test]

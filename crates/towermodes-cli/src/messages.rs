@@ -3,7 +3,7 @@
 use std::io::Write as _;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use towermodes::Warning;
+use towermodes::{Place, Warning};
 use towermodes_files::{Diagnostic, Note, Source, TowerInput};
 use towermodes_report::wording::printable;
 
@@ -55,13 +55,26 @@ pub(crate) fn warn(warnings: &[Warning], input: &TowerInput) {
 pub(crate) fn warning_text(warning: &Warning, input: &TowerInput) -> Option<String> {
     let place = warning.place()?;
     let (file, line) = input.line_of(place)?;
+    let warning = with_name(warning, place, input);
     Some(match input.setting_of(place) {
         Some(setting) => format!("with {file} {setting}: {warning}"),
         None => format!("{file}:{line}: {warning}"),
     })
 }
 
-/// Prints a message; the program continues.
+/// A warning with the name of its part in parentheses: "point mass 1 (platform): ...".
+fn with_name(warning: &Warning, place: Place, input: &TowerInput) -> String {
+    let (text, part) = (warning.to_string(), place.to_string());
+    match (
+        input.description.part_names.of(place),
+        text.strip_prefix(&part),
+    ) {
+        (Some(name), Some(rest)) => format!("{part} ({name}){rest}"),
+        _ => text,
+    }
+}
+
+/// A message of a program that goes on.
 pub(crate) fn hear(text: &str) {
     say(&message(Level::INFO, text, None));
 }

@@ -1,6 +1,6 @@
 //! The lines that reproduce a state: for a shell, and for Python.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use serde::Serialize;
 use towermodes::Parameter;
@@ -87,6 +87,11 @@ impl Explorer {
         let is_in_column = |name: &str| columns.iter().any(|of| of.names.iter().any(|n| n == name));
         let singles = state.settings().into_iter();
         let singles = singles.filter(|setting| !is_in_column(setting.name()));
+        let mut singles: Vec<Setting> = singles.collect();
+        // In the order of the tower file: stations[2] before stations[10].
+        let all = Parameter::all(&self.exploration.input.description).into_iter();
+        let places: HashMap<String, usize> = all.map(|one| one.to_string()).zip(0..).collect();
+        singles.sort_by_key(|setting| places.get(setting.name()).copied());
         let factors = columns.iter();
         let factors = factors.map(|of| Setting::new(format!("scale({})", of.column), of.factor));
         factors.chain(singles).collect()

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use serde::Serialize;
-use towermodes::{Parameter, Place};
+use towermodes::{Parameter, Place, TowerDescription};
 use towermodes_files::TowerInput;
 
 use super::explorer::Explorer;
@@ -165,7 +165,7 @@ fn groups_and_parameters(input: &TowerInput) -> (Vec<Group>, Vec<SheetParameter>
             column: parts.column,
             also_in: also_in(parameter, &linked),
             follows: leader.and_then(|leader| places.get(&leader).copied()),
-            label: label(&linked.moved_by(parameter)),
+            label: named(parameter, label(&linked.moved_by(parameter)), description),
             meaning: linked.meaning(parameter),
             unit: parameter.unit(),
             value: parameter.value(description),
@@ -195,7 +195,16 @@ fn label(moved: &[Parameter]) -> String {
     }
 }
 
-/// The column of another list whose factor also multiplies an input value.
+/// A label with the name of its part: `3 (platform): mass`.
+fn named(parameter: Parameter, label: String, description: &TowerDescription) -> String {
+    let name = description.part_names.of(parameter.place());
+    match (label.split_once(": "), name) {
+        (Some((rows, key)), Some(name)) => format!("{rows} ({name}): {key}"),
+        _ => label,
+    }
+}
+
+/// The column of another list whose factor multiplies a number too.
 pub(crate) fn also_in(parameter: Parameter, linked: &Linked) -> Option<String> {
     linked.scaled_with(parameter).and_then(column_of)
 }
@@ -259,9 +268,24 @@ fn dragged(parameter: Parameter) -> Option<Dragged> {
 
 #[cfg(test)]
 mod tests {
-    use towermodes::{Material, Parameter, Station, TowerDescription};
+    use towermodes::{Material, Parameter, PointMass, Station, TowerDescription};
 
-    use super::{Name, dragged};
+    use super::{Name, dragged, named};
+
+    #[test]
+    fn labels_of_point_masses_have_their_names() {
+        let mut description = TowerDescription {
+            point_masses: vec![PointMass::default(), PointMass::default()],
+            ..TowerDescription::default()
+        };
+        description.part_names.point_masses = vec![String::new(), "flange 2".to_owned()];
+        let label = |name| {
+            let parameter = Parameter::parse(name, &description).expect("a number");
+            named(parameter, Name::new(parameter).label, &description)
+        };
+        assert_eq!(label("point_mass[1].mass"), "2 (flange 2): mass");
+        assert_eq!(label("point_mass[0].mass"), "1: mass");
+    }
 
     #[test]
     fn names_are_rows_of_columns_of_groups() {

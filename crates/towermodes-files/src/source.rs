@@ -21,6 +21,10 @@ const POINTERS: [(&str, &str, &str); 2] = [
     ("/annex/objects/", "git-annex", "run `git annex get` for it"),
 ];
 
+/// The first bytes of workbooks of spreadsheets: of `xlsx` and `ods`, which are archives in ZIP, and
+/// of `xls`.
+const WORKBOOKS: [&[u8]; 2] = [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"];
+
 /// The text of a file and its name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
@@ -70,7 +74,15 @@ pub enum FileError {
         /// How the user can get the file.
         remedy: &'static str,
     },
-    /// The file is a web page, for example saved from a repository viewer.
+    /// It is a workbook of a spreadsheet.
+    #[error(
+        "{name}: this is an Excel workbook or an archive, not a text file; save the sheet as CSV"
+    )]
+    Workbook {
+        /// The path.
+        name: String,
+    },
+    /// It is a web page, as saved from a repository viewer.
     #[error("{name}: this is a web page (HTML), not the file itself; download the raw file")]
     WebPage {
         /// The path.
@@ -163,6 +175,9 @@ impl Source {
     pub fn from_bytes(name: String, bytes: Vec<u8>) -> Result<Self, FileError> {
         if bytes.len() as u64 > MAX_FILE_BYTES {
             return Err(FileError::TooLarge { name });
+        }
+        if WORKBOOKS.iter().any(|mark| bytes.starts_with(mark)) {
+            return Err(FileError::Workbook { name });
         }
         let text = match String::from_utf8(bytes) {
             Ok(text) => text,
@@ -350,6 +365,8 @@ mod tests {
         assert!(refusal(pointer).contains("Tower.dat: this is a Git LFS pointer"));
         assert!(refusal(pointer).contains("`git lfs pull`"));
         assert!(refusal("/annex/objects/SHA256E-s100--ab.dat\n").contains("git-annex pointer"));
+        assert!(refusal("PK\u{3}\u{4}\u{14}\0").contains("Tower.dat: this is an Excel workbook"));
+        assert!(refusal("PK 1\n").is_empty());
         assert!(refusal("\n<!DOCTYPE HTML>\n<html lang=\"en\">").contains("a web page"));
         for file in [
             "version 1\n",

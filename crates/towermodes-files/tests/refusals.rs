@@ -228,11 +228,15 @@ fn texts_where_numbers_belong_and_the_other_way_round() {
     all_refused(
         r#"
         8500.0 | "8500" | 3:11 | density must be a number, found a text | without quotation marks
+        350e3 | "310 t" | 20:8 | mass must be a number, found a text | write 310000 (kg), without a unit
+        5.00, 0.027 | 5.00, "45 mm" | 16:16 | wall thickness must be a number, found a text | write 0.045 (m), without a unit
         8500.0 | "heavy" | 3:11 | density must be a number, found a text
         8500.0 | [8500.0] | 3:11 | found a list
         8500.0 | 1979-05-27 | 3:11 | found a date
         "good" | 5 | 1:8 | name must be a text in quotation marks, found a number
-        shear = true | shear = "yes" | 12:9 | true, false or a shear coefficient
+        shear = true | shear = "yes" | 12:9 | true, false or a shear coefficient | write true
+        shear = true | shear = "none" | 12:9 | true, false or a shear coefficient
+        inertia = { | inertia = [4.2e7] #{ | 22:11 | inertia must be a table, found a list | { xx = ..., yy = ..., zz = ... }
         center = [0.0, 0.0, 2.0] | center = 2.0 | 21:10 | center must be a list
         center = [0.0, 0.0, 2.0] | center = [2.0] | 21:10 | center has 1 value instead of 3
         [[point_mass]] | [point_mass] | 23:1 | point_mass must be a list of tables | [[point_mass]]

@@ -252,6 +252,17 @@ fn headers_that_say_too_little_or_too_much_are_refused() {
             "write a header such as",
         ],
     );
+    let foreign = CANS.lines().skip(1).fold(
+        String::from("unten [m],oben [m],D unten [mm],D oben [mm],Wand [mm],Stahl"),
+        |text, line| text + "\n" + line,
+    );
+    let (_, mistakes) = mistakes(TOWER, &foreign);
+    assert_eq!(mistakes.len(), 1, "{mistakes:?}");
+    let words = [
+        "expected a header with English names of columns here, found none that is known",
+        "write a header such as",
+    ];
+    refused(&foreign, (1, 1), &words);
     refused("", (1, 1), &["the file is empty"]);
     refused("\n# nothing\n", (1, 1), &["the file is empty"]);
     let header = CANS.lines().next().expect("a header");

@@ -131,6 +131,7 @@ fn of_file(error: FileError) -> PyErr {
         | FileError::TooLarge { name }
         | FileError::Pointer { name, .. }
         | FileError::WebPage { name }
+        | FileError::Workbook { name }
         | FileError::NotText { name, .. } => tower_error(&message, Some(&name), None, Vec::new()),
         _ => PyOSError::new_err(message),
     }

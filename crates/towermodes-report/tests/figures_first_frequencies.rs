@@ -51,6 +51,19 @@ fn labels_are_apart_whatever_the_rotor() {
     }
 }
 
+/// Where ranges overlap, the fill of one does not cover an edge of the other.
+#[test]
+fn fills_are_below_all_edges() {
+    let rotor = rotor(3, 4.0, 14.0);
+    let diagram = diagram("nrel-5mw.toml", &rotor, &CampbellOptions::default());
+    let figure = first_frequencies(&diagram).expect("a bar");
+    let svg = figure.to_svg(Look::Standalone);
+    let first_edge = svg.find("stroke-dasharray=\"6 4\"").expect("an edge");
+    let height = "height=\"132\"";
+    assert_eq!(svg.matches(height).count(), 4);
+    assert!(svg.rfind(height).expect("a fill") < first_edge);
+}
+
 #[test]
 fn only_what_was_looked_at_is_on_the_bar() {
     let with = |multiples: &[usize]| {

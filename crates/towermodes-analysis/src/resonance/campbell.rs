@@ -290,7 +290,10 @@ impl Campbell {
         let own = margins.filter(|margin| self.lines[margin.line].is_of_same_mode(line));
         own.max_by(|a, b| {
             let by_distance = || b.distance.abs().total_cmp(&a.distance.abs());
-            a.verdict.cmp(&b.verdict).then_with(by_distance)
+            // Of several crossings the lowest multiple decides: it has the strongest excitation.
+            let by_multiple = || b.multiple.cmp(&a.multiple);
+            let by_verdict = a.verdict.cmp(&b.verdict);
+            by_verdict.then_with(by_distance).then_with(by_multiple)
         })
     }
 

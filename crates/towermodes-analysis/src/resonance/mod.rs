@@ -3,6 +3,7 @@
 //! speed.
 
 mod campbell;
+mod clamped;
 mod class;
 mod conclusion;
 mod diagram;
@@ -22,6 +23,7 @@ pub use campbell::{
     BEYOND_OPERATION, Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited,
     FrequencyLine, LineEnd, Margin, SharedFirst, StiffnessClass,
 };
+pub use clamped::ClampedBase;
 pub(crate) use class::class_along;
 pub use diagram::campbell;
 pub(crate) use diagram::{check_options, margins};

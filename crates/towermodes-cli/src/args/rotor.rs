@@ -1,9 +1,10 @@
 //! Options of the rotor: speeds, blades, multiples, required margin.
 
 use clap::Args;
+use towermodes::number::Rounded;
 use towermodes::tower::MOST_BLADES;
 use towermodes_analysis::resonance::{CampbellOptions, ChosenRotor, DEFAULT_MARGIN, GivenRotor};
-use towermodes_files::TowerInput;
+use towermodes_files::{Note, TowerInput};
 
 use super::parsers::{margin_parser, number_parser, speeds_parser};
 use super::words::valued;
@@ -14,11 +15,14 @@ const ROTOR: &str = "Rotor";
 /// Highest multiple of the rotor speed.
 const MAX_MULTIPLE: usize = 100;
 
+/// Smaller margins in percent are probably fractions.
+const LEAST_PERCENT: f64 = 1.0;
+
 /// Rotor data that replace those of the file.
 #[derive(Debug, Args)]
 pub(crate) struct RotorArguments {
     /// Required separation between excitation and natural frequency, percent of the natural
-    /// frequency [default: 5]
+    /// frequency (not a fraction as in the files of `design`) [default: 5]
     #[arg(help_heading = ROTOR, long, value_name = "PERCENT", value_parser = margin_parser)]
     margin: Option<f64>,
 
@@ -76,6 +80,18 @@ impl RotorArguments {
         .concat()
     }
 
+    /// The note on a margin that is probably a fraction.
+    pub(crate) fn note(&self) -> Option<Note> {
+        let percent = self.margin?;
+        let is_fraction = percent > 0.0 && percent < LEAST_PERCENT;
+        is_fraction.then(|| {
+            Note::suspicious(format!(
+                "--margin is in percent: {percent} is {percent} % of the natural frequency; --margin {} is the fraction {percent}",
+                Rounded(100.0 * percent),
+            ))
+        })
+    }
+
     /// The options of the library.
     pub(crate) fn options(&self) -> CampbellOptions {
         CampbellOptions {
@@ -109,5 +125,15 @@ mod tests {
         };
         assert!(asked.is_given());
         assert_eq!(asked.options().margin, 0.05);
+        assert_eq!(asked.note(), None);
+        let fraction = RotorArguments {
+            margin: Some(0.07),
+            ..asked
+        };
+        let note = fraction.note().expect("a note").message;
+        assert_eq!(
+            note,
+            "--margin is in percent: 0.07 is 0.07 % of the natural frequency; --margin 7 is the fraction 0.07"
+        );
     }
 }

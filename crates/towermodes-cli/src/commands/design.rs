@@ -39,6 +39,8 @@ A design file is a TOML file with [design]; for example:
   diameter_to_wall = 200
   cone_angle = 3
 
+The margins of a design file are fractions: 0.1 is 10 % of the frequency. (--margin of `campbell` and `report` is in percent.)
+
 The search starts from the original tower, uses exact derivatives and ends at a local minimum of the mass; its KKT residual is printed as a check (0 at an exact minimum). The final tower is solved again with error estimates. If no tower is found that meets the limits, the message gives the nearest one. `towermodes parameters FILE` lists the names of the input values.
 
 Exit codes: 0 the tower is found, 1 no tower is found that meets the limits, the computation or the output failed, 2 wrong usage or wrong input.";

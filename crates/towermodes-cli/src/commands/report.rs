@@ -220,7 +220,8 @@ fn circumstances(
     arguments: &ReportArguments,
     words: &[OsString],
 ) -> Circumstances {
-    let notes = all_notes(input, rotor);
+    let mut notes = all_notes(input, rotor);
+    notes.extend(arguments.rotor.note());
     let of_model = notes.iter().filter(|note| note.is_on_missing_part());
     Circumstances {
         title: arguments.title.clone().unwrap_or_default(),

@@ -1,6 +1,7 @@
 //! A design as text: values before and after, active limits, the check of the minimum.
 
 use towermodes::number::{Plain, digits};
+use towermodes::{Change, Operation, Parameter, Place};
 use towermodes_design::design::{Design, DesignProblem, Goal, OtherHolder, Reached, Steps};
 use towermodes_report::wording::structure_mass;
 
@@ -32,7 +33,7 @@ fn values(problem: &DesignProblem, found: &Design) -> String {
         let before = digits(*before, 5);
         let name = match of.change.unit() {
             "" => of.change.name().to_owned(),
-            unit => format!("{}, {unit}", of.change.name()),
+            unit => format!("{}{}, {unit}", of.change.name(), heights(&of.change, found)),
         };
         [
             name,
@@ -45,6 +46,29 @@ fn values(problem: &DesignProblem, found: &Design) -> String {
         ]
     });
     text_table(["variable", "before", "after", "bounds"], rows, [1, 2])
+}
+
+/// The heights of the walls and diameters that a change sets: " at z = 10 to 20 m"; nothing for a
+/// change of a whole column, which has all.
+fn heights(change: &Change, found: &Design) -> String {
+    let height_m = |parameter: &Parameter| match parameter.place() {
+        Place::Station { index, key } if key != "height" => found
+            .tower
+            .stations
+            .get(index)
+            .map(|station| station.height_m),
+        _ => None,
+    };
+    let heights_m = change.parameters().iter().filter_map(height_m);
+    let heights_m: Vec<f64> = heights_m.collect();
+    let low_m = heights_m.iter().copied().fold(f64::INFINITY, f64::min);
+    let high_m = heights_m.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    match change.operation() {
+        Operation::Scale | Operation::Add => String::new(),
+        Operation::Set if heights_m.is_empty() => String::new(),
+        Operation::Set if low_m == high_m => format!(" at z = {} m", Plain(low_m)),
+        Operation::Set => format!(" at z = {} to {} m", Plain(low_m), Plain(high_m)),
+    }
 }
 
 /// The mass, and a row for each goal.

@@ -12,7 +12,10 @@ pub(crate) fn parameters(description: &TowerDescription, listed: &[Parameter]) -
             parameter.to_string(),
             Plain(parameter.value(description)).to_string(),
             parameter.unit().to_owned(),
-            parameter.meaning().to_owned(),
+            match description.part_names.of(parameter.place()) {
+                Some(name) => format!("{} of {name}", parameter.meaning()),
+                None => parameter.meaning().to_owned(),
+            },
         ]
     };
     let header = ["name", "value", "unit", "meaning"];

@@ -414,6 +414,20 @@ fn pictures_taken_away_are_pictures() {
     taken.text().says("the rotor speed is unknown");
 }
 
+/// `stations[2]` is before `stations[10]`, as in the tower file.
+#[test]
+fn the_reproducing_commands_are_in_the_order_of_the_file() {
+    let explorer = Explorer::start(&["examples/cans.toml"]);
+    let names = ["stations[10].wall", "stations[2].wall", "rna.mass"];
+    let numbers = json!({ names[0]: 0.021, names[1]: 0.026, names[2]: 3.4e5 });
+    let shell = explorer.answer("reproduce", &json!({ "numbers": numbers }));
+    let shell = shell["shell"].as_str().expect("text").to_owned();
+    let first = shell.lines().next().expect("a line");
+    first.ends(
+        "--set 'stations[2].wall=0.026' --set 'stations[10].wall=0.021' --set rna.mass=340000",
+    );
+}
+
 /// The command that the page shows gives the digits of the page; a factor of a whole column is one
 /// setting.
 #[test]

@@ -7,6 +7,9 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 /// Example headers.
 pub(super) const EXAMPLE: &str = "write a header such as `bottom_m, top_m, bottom diameter [mm], top diameter [mm], wall [mm], material` for cans, or as `height [m], diameter [m], wall [mm]` for stations";
 
+/// What the first row must be.
+const EXPECTED: &str = "a header with English names of columns";
+
 /// A column of lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Length {
@@ -67,6 +70,12 @@ impl Header {
                 Ok(column) => columns.extend(column),
                 Err(mistake) => mistakes.push(mistake),
             }
+        }
+        if columns.is_empty() && mistakes.len() > 1 {
+            let kind = DiagnosticKind::misplaced(EXPECTED, "none that is known");
+            return Err(vec![
+                Diagnostic::new(record.span.clone(), kind).with_hint(EXAMPLE),
+            ]);
         }
         if !mistakes.is_empty() {
             return Err(mistakes);

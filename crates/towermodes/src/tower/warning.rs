@@ -111,6 +111,23 @@ pub enum Warning {
         /// The value expected from the adjacent rows.
         expected: f64,
     },
+    /// A step of the outer diameter between parts that are welded to each other.
+    #[error(
+        "{}the outer diameter steps by {} mm{}, from {} m below to {} m above: check both diameters",
+        .site.before(),
+        Rounded((1e3 * (.above_m - .below_m)).abs()),
+        .site.after(),
+        Plain(*.below_m),
+        Plain(*.above_m)
+    )]
+    DiameterStep {
+        /// The station above the step and its height.
+        site: Site,
+        /// Outer diameter below the step, m.
+        below_m: f64,
+        /// Outer diameter above the step, m.
+        above_m: f64,
+    },
     /// A given value without effect.
     #[error("{}{what}", .site.before())]
     NoEffect {
@@ -725,6 +742,7 @@ impl Warning {
             | Self::UnusualWall { site, .. }
             | Self::Unusual { site, .. }
             | Self::RowOutOfLine { site, .. }
+            | Self::DiameterStep { site, .. }
             | Self::NoEffect { site, .. }
             | Self::RnaWithoutInertia { site, .. }
             | Self::InertiaWithoutMass { site }

@@ -28,8 +28,16 @@ fn mass(height_m: f64) -> impl FnOnce(&mut TowerDescription) {
 
 #[test]
 fn masses_at_a_clamped_base() {
-    without_effect(Ineffective::MassAtClampedBase, reference(), mass(0.0));
-    quiet(reference(), mass(0.1));
+    let heavy = |height_m: f64| {
+        move |t: &mut TowerDescription| {
+            mass(height_m)(t);
+            t.point_masses[0].mass_kg = 50e3;
+        }
+    };
+    without_effect(Ineffective::MassAtClampedBase, reference(), heavy(0.0));
+    quiet(reference(), heavy(0.1));
+    // The base flange in a list of masses.
+    quiet(reference(), mass(0.0));
     // On springs the base moves.
     quiet(reference(), |t| {
         mass(0.0)(t);

@@ -111,6 +111,50 @@ fn walls_and_diameters_a_power_of_ten_off() {
     assert_eq!(stepped, []);
 }
 
+/// Two cans, the upper one beginning with a diameter.
+fn cans(diameter_m: f64) -> impl Fn(&mut TowerDescription) {
+    move |t| {
+        t.stations = stations(&[
+            (0.0, 6.0, 0.03),
+            (40.0, 6.0, 0.03),
+            (40.0, diameter_m, 0.03),
+            (87.6, 4.0, 0.02),
+        ]);
+    }
+}
+
+#[test]
+fn steps_of_the_diameter_between_welded_cans() {
+    // A tenth of the larger diameter.
+    quiet(reference(), cans(5.41));
+    quiet(reference(), cans(6.66));
+    let (warning, said) = one(reference(), cans(5.37));
+    assert_eq!(
+        said,
+        "station 3: the outer diameter steps by 630 mm at z = 40 m, from 6 m below to 5.37 m above: check both diameters"
+    );
+    let (index, key) = (2, "diameter");
+    assert_eq!(warning.place(), Some(Place::Station { index, key }));
+    // A mast of pipes in each other, a steel tower on one of concrete.
+    quiet(reference(), |t| {
+        t.stations = stations(&[
+            (0.0, 0.3, 0.01),
+            (6.0, 0.3, 0.01),
+            (6.0, 0.2, 0.01),
+            (12.0, 0.2, 0.01),
+        ]);
+    });
+    quiet(reference(), |t| {
+        t.materials = vec![
+            Material::from_poissons_ratio(2500.0, 3.6e10, 0.2),
+            t.materials[0].clone(),
+        ];
+        cans(5.0)(t);
+        t.stations[2].material = 1;
+        t.stations[3].material = 1;
+    });
+}
+
 #[test]
 fn densities_and_moduli() {
     let with = |rho: f64, e: f64| {

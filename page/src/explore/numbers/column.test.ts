@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { baseOf, isMultiplied, multiplied } from "./column.js";
+import { baseAmong, baseOf, isMultiplied, multiplied } from "./column.js";
 
 test("numbers that are a multiple of the file's are multiplied from the file", () => {
   const ofFile = [0.06, 0.027, 0, 0.019];
@@ -14,6 +14,15 @@ test("other numbers are multiplied from where they are", () => {
   const present = [0.06, 0.05];
   assert.deepEqual(baseOf([0.06, 0.027], present), { values: present, factor: 1 });
   assert.deepEqual(baseOf([0, 0], [0, 1]), { values: [0, 1], factor: 1 });
+});
+
+test("the factor on numbers of which one was changed before stays visible", () => {
+  const ofFile = [0.06, 0.027];
+  const before = [0.05, 0.027];
+  const present = multiplied({ values: before, factor: 1 }, 1.1);
+  assert.deepEqual(baseAmong([ofFile], present), { values: present, factor: 1 });
+  assert.deepEqual(baseAmong([ofFile, before], present), { values: before, factor: 1.1 });
+  assert.deepEqual(baseAmong([ofFile, before], multiplied({ values: ofFile, factor: 1 }, 1.2)), { values: ofFile, factor: 1.2 });
 });
 
 test("what is rigid stays rigid, whatever the factor", () => {

@@ -15,7 +15,25 @@ test("what is no number is answered with a sentence that names it", () => {
   }
   assert.deepEqual(readNumber("3,5"), { problem: "Write 3.5 with a point." });
   assert.deepEqual(readNumber("400,000"), { problem: "Write 400000 without commas, or 400.000 with a point." });
-  assert.deepEqual(readNumber("60 mm"), { problem: "Write 60 without a unit; the unit is that beside the field." });
+});
+
+test("a number with a unit is answered with the number in the unit of the field", () => {
+  const cases: [string, string, string][] = [
+    ["310 t", "kg", "Write 310000: the field is in kg."],
+    ["45 mm", "m", "Write 0.045: the field is in m."],
+    ["270cm", "m", "Write 2.7: the field is in m."],
+    ["6 m", "m", "Write 6: the field is in m."],
+    ["210 GPa", "Pa", "Write 2.1e11: the field is in Pa."],
+    ["80 MPa", "Pa", "Write 8e7: the field is in Pa."],
+    ["12 kN/m", "N/m", "Write 12000: the field is in N/m."],
+    ["3 MN m", "N m", "Write 3000000: the field is in N m."],
+    ["8.5 t/m³", "kg/m3", "Write 8500: the field is in kg/m3."],
+    ["4e4 t m2", "kg m2", "Write 4e7: the field is in kg m2."],
+    ["12 ft", "m", "Write the number in m, without a unit."],
+    ["60 mm", "kg", "Write the number in kg, without a unit."],
+    ["1.1 x", "", "Write 1.1 without a unit."],
+  ];
+  for (const [text, unit, problem] of cases) assert.deepEqual(readNumber(text, unit), { problem }, text);
 });
 
 test("written numbers read back as the same", () => {

@@ -3,13 +3,17 @@
 /** A number, or the sentence that says why the text is none. */
 export type Entry = { value: number } | { problem: string };
 
-/** A number with a word after it: `60 mm`. */
-const WITH_UNIT = /^([+-]?\d+\.?\d*(?:e[+-]?\d+)?)\s*[a-z°%]+[²³\d/]*[a-z²³\d]*$/i;
+/** A number with a unit after it: `60 mm`, `12 kN/m`, `4e7 kg m2`. */
+const WITH_UNIT = /^([+-]?\d+\.?\d*(?:e[+-]?\d+)?)\s*([a-z°%][a-z²³\d/ ]*)$/i;
+
+/** Prefixes before the unit of a field. */
+const PREFIXES: Record<string, number> = { k: 1e3, M: 1e6, G: 1e9 };
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
-/** Reads a number with a decimal point: `0.03`, `-12`, `3.6e5`. */
-export function readNumber(typed: string): Entry {
+/** Reads a number with a decimal point: `0.03`, `-12`, `3.6e5`. The unit of its field is used in the
+ * sentence about a number with a unit. */
+export function readNumber(typed: string, unit = ""): Entry {
   const text = typed.trim().replace("−", "-");
   if (text === "") return { problem: "Type a number, for example 3.6e5." };
   if (NUMBER.test(text)) {
@@ -23,9 +27,24 @@ export function readNumber(typed: string): Entry {
     return { problem: `Write ${whole} without commas${decimal}.` };
   }
   if (NUMBER.test(pointed)) return { problem: `Write ${pointed} with a point.` };
-  const [, number] = WITH_UNIT.exec(text) ?? [];
-  if (number !== undefined) return { problem: `Write ${number} without a unit; the unit is that beside the field.` };
+  const [, number, given] = WITH_UNIT.exec(text) ?? [];
+  if (number !== undefined && given !== undefined) return { problem: withoutUnit(Number(number), given, unit) };
   return { problem: `“${text}” is not a number. Type digits with a decimal point, for example 3.6e5.` };
+}
+
+/** What to write in place of a number with a unit, in the unit of the field. */
+function withoutUnit(value: number, given: string, unit: string): string {
+  if (unit === "") return `Write ${writeNumber(value)} without a unit.`;
+  const factor = factorOf(given.replace("²", "2").replace("³", "3"), unit);
+  return factor === null ? `Write the number in ${unit}, without a unit.` : `Write ${writeNumber(tidy(value * factor))}: the field is in ${unit}.`;
+}
+
+/** How many of a unit are one of a given unit; null if unknown. */
+function factorOf(given: string, unit: string): number | null {
+  if (given === unit) return 1;
+  if (unit === "m" && (given === "mm" || given === "cm")) return given === "mm" ? 1e-3 : 1e-2;
+  if (unit.startsWith("kg") && given === `t${unit.slice(2)}`) return 1e3;
+  return given.slice(1) === unit ? PREFIXES[given.charAt(0)] ?? null : null;
 }
 
 /** The shortest text that reads back as the same number; an infinite stiffness is no number. */

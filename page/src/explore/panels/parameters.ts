@@ -2,7 +2,7 @@
 
 import { byId, make, setClass, setHidden, setText } from "../dom.js";
 import { movedBy } from "../numbers/followers.js";
-import { baseOf, isMultiplied, multiplied, type Base } from "../numbers/column.js";
+import { baseAmong, isMultiplied, multiplied, type Base } from "../numbers/column.js";
 import type { Elasticities, Group, NoElasticity, Parameter, Sheet, TargetVariable } from "../protocol.js";
 import { Row } from "./row.js";
 
@@ -31,6 +31,8 @@ interface Column {
   indices: number[];
   /** What the factor multiplies while it is being slid. */
   base: Base | null;
+  /** What the last factor has multiplied. */
+  last: number[] | null;
   words: string;
 }
 
@@ -106,7 +108,7 @@ export class ParameterPanel {
     const plain = own.find((one) => !parameters.some(({ follows }) => follows !== null && parameters[follows] === one));
     const meaning = plain?.meaning ?? key;
     const of = parameters.flatMap(({ column, also_in }, index) => (column === name || also_in === name ? [index] : []));
-    const column: Column = { name, row: undefined as never, indices: of, base: null, words: `${name} ${meaning} ${section.group.title}`.toLowerCase() };
+    const column: Column = { name, row: undefined as never, indices: of, base: null, last: null, words: `${name} ${meaning} ${section.group.title}`.toLowerCase() };
     column.row = new Row({ id, name, label: `every ${meaning}\u00a0×`, meaning: "", unit: "" }, { low: 0.5, high: 1.5, home: 1 }, {
       input: (factor) => this.multiply(column, factor),
       settle: () => {
@@ -120,14 +122,16 @@ export class ParameterPanel {
 
   private multiply(column: Column, factor: number): void {
     column.base ??= this.base(column);
+    column.last = column.base.values;
     const values = multiplied(column.base, factor);
     const names = column.indices.map((index) => this.sheet.parameters[index]?.name ?? "");
     this.events.input(Object.fromEntries(names.map((name, k) => [name, values[k] ?? 0])), column.name);
   }
 
-  private base({ indices }: Column): Base {
+  private base({ indices, last }: Column): Base {
     const ofFile = indices.map((index) => this.sheet.parameters[index]?.value ?? 0);
-    return baseOf(ofFile, indices.map((index) => this.values[index] ?? 0));
+    const earlier = last === null ? [ofFile] : [ofFile, last];
+    return baseAmong(earlier, indices.map((index) => this.values[index] ?? 0));
   }
 
   /** Shows the present values, in the order of the sheet. */

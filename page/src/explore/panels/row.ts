@@ -127,7 +127,7 @@ export class Row {
   /** What is in the field; only what is rigid in the file can be so again. */
   private read(): Entry {
     const isRigid = this.given.home === Infinity && this.field.value.trim() === writeNumber(Infinity);
-    return isRigid ? { value: Infinity } : readNumber(this.field.value);
+    return isRigid ? { value: Infinity } : readNumber(this.field.value, this.text.unit);
   }
 
   /** A part of a number is not solved: "4" of "400000". */

@@ -64,7 +64,7 @@ export class TargetPanel {
 
   private limit(field: HTMLInputElement): number | null | undefined {
     if (field.value.trim() === "") return null;
-    const entry = readNumber(field.value);
+    const entry = readNumber(field.value, "Hz");
     if ("value" in entry) return entry.value;
     setText(byId("target-text"), entry.problem);
     field.focus();

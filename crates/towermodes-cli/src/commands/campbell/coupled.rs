@@ -112,7 +112,11 @@ pub(crate) fn coupled_of(
         .map(|remark| Note::suspicious(remark.to_string()));
     Ok(Coupled {
         against: diagram.against(&rigid),
-        notes: notes(input, &chosen).into_iter().chain(remarks).collect(),
+        notes: notes(input, &chosen)
+            .into_iter()
+            .chain(rotor.note())
+            .chain(remarks)
+            .collect(),
         diagram,
         warnings: rigid.warnings,
     })

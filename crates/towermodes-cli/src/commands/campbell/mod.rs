@@ -10,8 +10,8 @@ use towermodes::turbine::Turbine;
 use towermodes::{Options, Rotor, Solution, Tower};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
-    Assessment, Campbell, CampbellOptions, ChosenRotor, NotChecked, WeightLeftOut, assess,
-    reach_hz, solve_to_reach,
+    Assessment, Campbell, CampbellOptions, ChosenRotor, ClampedBase, NotChecked, WeightLeftOut,
+    assess, reach_hz, solve_to_reach,
 };
 use towermodes_analysis::soil_band::{SoilBand, soil_band};
 use towermodes_files::{
@@ -109,7 +109,7 @@ impl Analysis for CampbellArguments {
                 let answer = self.of_tower(
                     (tower, input),
                     (&solution, &diagram, band.as_ref()),
-                    [reason, of_rotor, self.weight_left_out(tower, &diagram)].concat(),
+                    [reason, of_rotor, self.limits(tower, &diagram)].concat(),
                     format,
                 )?;
                 Ok(answer.verdict(judged(&diagram, input)))
@@ -119,14 +119,17 @@ impl Analysis for CampbellArguments {
 }
 
 impl CampbellArguments {
-    /// The note that the verdicts neglect the weight, unless --no-gravity was given.
-    fn weight_left_out(&self, tower: &Tower, campbell: &Campbell) -> Vec<Note> {
-        if self.input.reading.options().without_gravity {
-            return Vec::new();
-        }
-        let weight = WeightLeftOut::of_verdicts(tower, campbell);
-        let weight = weight.map(|weight| Note::suspicious(weight.to_string()));
-        weight.into_iter().collect()
+    /// The notes on what verdicts are without: the weight, unless --no-gravity was given, and the
+    /// foundation.
+    fn limits(&self, tower: &Tower, campbell: &Campbell) -> Vec<Note> {
+        let weight = match self.input.reading.options().without_gravity {
+            true => None,
+            false => WeightLeftOut::of_verdicts(tower, campbell),
+        };
+        let weight = weight.map(|weight| weight.to_string());
+        let clamped = ClampedBase::of_verdicts(tower, campbell).map(|base| base.to_string());
+        let limits = weight.into_iter().chain(clamped);
+        limits.map(Note::suspicious).collect()
     }
 
     /// The diagram of a tower.
@@ -168,8 +171,8 @@ impl CampbellArguments {
             notes,
             warnings,
         } = coupled_of(input, (tower, turbine), &self.rotor, &self.turbine)?;
-        let weight = self.weight_left_out(tower, &diagram.campbell);
-        let notes = [notes, without_band(input), weight].concat();
+        let limits = self.limits(tower, &diagram.campbell);
+        let notes = [notes, without_band(input), limits].concat();
         let said = input.notes.iter().chain(&notes).map(ToString::to_string);
         let said: Vec<String> = said.collect();
         let answer = Answer::of(
@@ -263,6 +266,7 @@ pub(crate) fn campbell_of(
     let assessment = assess(tower, solution, blade, &chosen.rotor, &options);
     let Assessment { campbell, remarks } = assessment?;
     let mut notes = notes_on(input, chosen);
+    notes.extend(arguments.note());
     notes.extend(
         remarks
             .iter()

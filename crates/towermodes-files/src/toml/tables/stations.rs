@@ -6,12 +6,14 @@ use toml::de::DeValue;
 use towermodes::{Place, Shear, Station};
 
 use super::super::text::reading::{Reading, STATION_FILE};
+use super::super::text::syntax::as_flag;
 use super::super::text::table::Table;
 use super::super::text::values::{
     Value, check_pieces, every_row, list, number, row_of, text, wrong_kind,
 };
 use super::materials::Materials;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::source::FileError;
 use crate::station_table::{self, Placed};
 
 /// `stations`: the rows, or the name of a file with them. Names of materials are not checked if the
@@ -95,9 +97,13 @@ fn stations_of_file(
     let file = match reading.station_file.take() {
         Some(Ok(file)) => file,
         Some(Err(error)) => {
+            let mistake = no_station_file(value, &error);
             let hint =
                 "it is looked for in the folder of the tower file; names may be case-sensitive";
-            return reading.refuse(no_station_file(value, &error).with_hint(hint));
+            return reading.refuse(match error {
+                FileError::Missing { .. } => mistake.with_hint(hint),
+                _ => mistake,
+            });
         }
         None => {
             let hint =
@@ -161,7 +167,11 @@ pub(crate) fn shear(tower: &Table<'_>, reading: &mut Reading) -> Option<Shear> {
         }
         _ => {
             let expected = "true, false or a shear coefficient";
-            reading.refuse(wrong_kind(value, "shear", expected))
+            let mistake = wrong_kind(value, "shear", expected);
+            reading.refuse(match value.get_ref().as_str().and_then(as_flag) {
+                Some(flag) => mistake.with_hint(format!("write {flag}")),
+                None => mistake,
+            })
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use super::super::schema::tower_file_schema;
+use super::super::schema::{KeySchema, ValueKind, tower_file_schema};
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 
 /// The mistake that caused an error of the parser.
@@ -131,39 +131,76 @@ impl Written<'_> {
         if !unit.starts_with(char::is_alphabetic) {
             return None;
         }
-        let keys = || {
-            tower_file_schema()
-                .iter()
-                .filter_map(|table| table.key(self.key?))
-        };
-        let base = keys().map(|key| key.unit).find(|unit| !unit.is_empty());
+        let keys = tower_file_schema()
+            .iter()
+            .filter_map(|table| table.key(self.key?));
+        let base = keys.map(|key| key.unit).find(|unit| !unit.is_empty());
+        let is_it = |of: &str| base.is_none_or(|base| base == of);
         let factor = UNITS
             .iter()
-            .find(|(name, _, of)| *name == unit && Some(*of) == base);
+            .find(|(name, _, of)| *name == unit && is_it(of));
         Some(match (factor, base) {
             (Some((_, factor, base)), _) => {
-                format!("write {} ({base}), without a unit", value * factor)
+                let value = without_noise(value * factor);
+                format!("write {value} ({base}), without a unit")
             }
-            (None, Some(base)) => format!("write {number} without a unit; it is in {base}"),
+            (None, Some(base)) => format!("write the number in {base}, without a unit"),
             (None, None) => format!("write {number} without a unit: units are m, kg, N and Pa"),
         })
     }
 
-    /// The mistake of a text without quotation marks.
+    /// Whether its key can be true or false.
+    fn is_flag(&self) -> bool {
+        let is_it = |key: &KeySchema| key.kind == ValueKind::Flag || key.meaning.contains("true");
+        let mut tables = tower_file_schema().iter();
+        tables.any(|table| self.key.and_then(|key| table.key(key)).is_some_and(is_it))
+    }
+
+    /// A text without quotation marks.
     fn without_quotes(&self) -> Option<Diagnostic> {
         let is_text = self.text.starts_with(char::is_alphabetic) && self.key.is_some();
         let hint = match self.text {
             "True" | "TRUE" | "False" | "FALSE" => {
                 format!("write {}, in small letters", self.text.to_lowercase())
             }
-            text => format!("write \"{text}\""),
+            text => match as_flag(text).filter(|_| self.is_flag()) {
+                Some(flag) => format!("write {flag}"),
+                None => format!("write \"{text}\""),
+            },
         };
         let expected = "a number, true, false or a text in quotation marks";
         is_text.then(|| self.mistake(expected).with_hint(hint))
     }
 }
 
-/// Whether a text is a number according to TOML.
+/// What to write in place of a word that means `true` or `false`.
+pub(crate) fn as_flag(word: &str) -> Option<bool> {
+    match &*word.to_lowercase() {
+        "yes" | "on" | "true" => Some(true),
+        "no" | "off" | "false" => Some(false),
+        _ => None,
+    }
+}
+
+/// What to write in place of a number in quotation marks, if it is one.
+pub(crate) fn without_marks(text: &str, what: &str) -> Option<String> {
+    let text = text.trim();
+    if text.parse::<f64>().is_ok() {
+        return Some("write the number without quotation marks".to_owned());
+    }
+    let (key, span) = (Some(what), 0..text.len());
+    let written = Written { key, text, span };
+    let (number, unit) = written.number_and_unit();
+    let value = number.replace('_', "").parse().ok()?;
+    written.without_unit(number, value, unit)
+}
+
+/// Without the digits that a product of two short numbers gets.
+fn without_noise(product: f64) -> f64 {
+    format!("{product:.12e}").parse().unwrap_or(product)
+}
+
+/// Whether a text is a number by the rules of TOML.
 fn is_number_of_toml(text: &str) -> bool {
     ::toml::from_str::<::toml::Table>(&format!("number = {text}")).is_ok()
 }
@@ -190,11 +227,21 @@ fn without_commas(number: &str) -> Option<String> {
 }
 
 /// Units after a number, their factor to the unit of the key, and this unit.
-const UNITS: [(&str, f64, &str); 14] = [
+const UNITS: [(&str, f64, &str); 24] = [
     ("t", 1e3, "kg"),
     ("kg", 1.0, "kg"),
     ("m", 1.0, "m"),
     ("km", 1e3, "m"),
+    ("cm", 1e-2, "m"),
+    ("mm", 1e-3, "m"),
+    ("N", 1.0, "N"),
+    ("kN", 1e3, "N"),
+    ("MN", 1e6, "N"),
+    ("N m", 1.0, "N m"),
+    ("kN m", 1e3, "N m"),
+    ("MN m", 1e6, "N m"),
+    ("kg m2", 1.0, "kg m2"),
+    ("t m2", 1e3, "kg m2"),
     ("Pa", 1.0, "Pa"),
     ("kPa", 1e3, "Pa"),
     ("MPa", 1e6, "Pa"),
@@ -223,6 +270,26 @@ mod tests {
                 "[rna]\nmass = 350e3 kg # x\n",
                 "mass must be a number, found `350e3 kg`",
                 "write 350000 (kg), without a unit",
+            ),
+            (
+                "[rna]\nmass = 310 lb\n",
+                "mass must be a number, found `310 lb`",
+                "write the number in kg, without a unit",
+            ),
+            (
+                "[tower]\nstations = [[0.0, 6.0, 45 mm]]\n",
+                "a value must be a number, found `45`",
+                "write 0.045 (m), without a unit",
+            ),
+            (
+                "[tower]\nshear = yes\n",
+                "shear must be a number, true, false or a text in quotation marks, found `yes`",
+                "write true",
+            ),
+            (
+                "name = yes\n",
+                "name must be a number, true, false or a text in quotation marks, found `yes`",
+                "write \"yes\"",
             ),
             (
                 "[rna]\nmass = 0,027\n",

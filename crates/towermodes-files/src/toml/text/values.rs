@@ -5,6 +5,7 @@ use toml::de::{DeArray, DeValue};
 use towermodes::MAX_SEGMENTS;
 
 use super::reading::Reading;
+use super::syntax::without_marks;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// A TOML value and its place.
@@ -17,11 +18,10 @@ pub(crate) fn number(value: &Value<'_>, what: &str, reading: &mut Reading) -> Op
         DeValue::Integer(integer) => integer_value(integer.as_str(), integer.radix()),
         other => {
             let diagnostic = wrong_kind(value, what, "a number");
-            let is_quoted =
-                matches!(other, DeValue::String(text) if text.trim().parse::<f64>().is_ok());
-            return reading.refuse(match is_quoted {
-                true => diagnostic.with_hint("write the number without quotation marks"),
-                false => diagnostic,
+            let hint = other.as_str().and_then(|text| without_marks(text, what));
+            return reading.refuse(match hint {
+                Some(hint) => diagnostic.with_hint(hint),
+                None => diagnostic,
             });
         }
     };

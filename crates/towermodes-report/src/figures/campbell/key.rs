@@ -24,7 +24,7 @@ pub(super) fn entries(
     entries.extend(shades(campbell, shown));
     entries.extend(marks(campbell));
     entries.extend(unlabelled(without_label).map(words));
-    let number = "number above a mark: coinciding crossings".to_owned();
+    let number = "number above a mark: coinciding marks".to_owned();
     entries.extend(is_counted.then(|| words(number)));
     let upper = "upper panel: higher modes at another scale".to_owned();
     entries.extend((shown.ends_hz.len() > 1).then(|| words(upper)));
@@ -79,7 +79,7 @@ fn shades(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
     let mut entries = Vec::new();
     if let Some([from_hz, to_hz]) = window_hz(campbell) {
         let text = format!(
-            "soft-stiff without the {} % margin: {} to {} Hz",
+            "soft-stiff with {} % margin kept: {} to {} Hz",
             percent(campbell.margin),
             four_digits(from_hz),
             four_digits(to_hz)

@@ -65,19 +65,27 @@ fn axes(bar: &Bar, height: f64) -> Axes {
 /// each range above.
 fn draw_ranges(drawing: &mut Drawing, axes: &Axes, ranges: &[Range]) {
     let Frame { top, bottom, .. } = axes.frame;
-    let shade = |drawing: &mut Drawing, [low, high]: [f64; 2], fill, edge: &Stroke| {
+    let fill = |drawing: &mut Drawing, [low, high]: [f64; 2], colour| {
         let (from, to) = (axes.x.at(low), axes.x.at(high));
-        drawing.rectangle((from, top), (to - from, bottom - top), fill, None);
-        drawing.line((from, top), (from, bottom), edge);
-        drawing.line((to, top), (to, bottom), edge);
+        drawing.rectangle((from, top), (to - from, bottom - top), colour, None);
     };
-    let margin = Stroke::new(Colour::Muted, 1.0).dashed(Dash::Dashed);
+    let edges = |drawing: &mut Drawing, ends: [f64; 2], stroke: &Stroke| {
+        for x in ends.map(|hz| axes.x.at(hz)) {
+            drawing.line((x, top), (x, bottom), stroke);
+        }
+    };
+    // Ranges may overlap: no fill covers an edge.
     for range in ranges {
-        shade(drawing, range.kept_free_hz, Colour::Band, &margin);
+        fill(drawing, range.kept_free_hz, Colour::Band);
     }
-    let edge = Stroke::new(Colour::Ink, 1.4);
     for range in ranges {
-        shade(drawing, range.operation_hz, Colour::Grid, &edge);
+        fill(drawing, range.operation_hz, Colour::Grid);
+    }
+    let margin = Stroke::new(Colour::Muted, 1.0).dashed(Dash::Dashed);
+    let operation = Stroke::new(Colour::Ink, 1.4);
+    for range in ranges {
+        edges(drawing, range.kept_free_hz, &margin);
+        edges(drawing, range.operation_hz, &operation);
     }
     name_ranges(drawing, axes, ranges);
 }

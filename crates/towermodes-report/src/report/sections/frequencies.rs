@@ -72,7 +72,7 @@ fn parentheses(solution: &Solution) -> &'static str {
 fn buckling(content: &ReportContent) -> Vec<Block> {
     let text = if let Some(factor) = content.solution.buckling_load_factor {
         format!(
-            "The linear buckling load factor for gravity (self-weight and all masses on the tower) is {}.",
+            "The linear buckling load factor of the whole tower as a column under gravity (self-weight and all masses on the tower) is {}. Buckling of the shell is not checked.",
             buckling_load_factor(factor)
         )
     } else if content.tower.base().floats && content.tower.gravity_m_per_s2() != 0.0 {
@@ -82,7 +82,10 @@ fn buckling(content: &ReportContent) -> Vec<Block> {
     } else {
         return Vec::new();
     };
-    vec![Block::Heading("Buckling".to_owned()), paragraph(text)]
+    vec![
+        Block::Heading("Column buckling".to_owned()),
+        paragraph(text),
+    ]
 }
 
 /// The masses that the total includes.

@@ -59,6 +59,10 @@ fn overview(content: &ReportContent) -> Table {
             mass(tower.mass_kg()),
         ),
         (
+            "of this, point masses",
+            mass(tower.point_masses().iter().map(|one| one.mass_kg).sum()),
+        ),
+        (
             "mass of the rotor-nacelle assembly (RNA)",
             mass(description.rna.mass_kg),
         ),

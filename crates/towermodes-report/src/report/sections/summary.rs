@@ -1,6 +1,8 @@
 //! The most important results in a few lines.
 
-use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, WeightLeftOut};
+use towermodes_analysis::resonance::{
+    Campbell, ClampedBase, Excited, FrequencyLine, WeightLeftOut,
+};
 
 use super::super::content::{ReportContent, TurbineResults};
 use super::super::document::{Block, Statement};
@@ -105,7 +107,10 @@ fn resonance(content: &ReportContent, campbell: Option<&Campbell>) -> Statement 
     let sentences = campbell.placement().into_iter();
     let weight = WeightLeftOut::of(&content.tower);
     let weight = weight.map(|weight| sentence(&weight.to_string()));
-    let sentences = sentences.chain(campbell.omissions()).chain(weight);
+    let clamped = ClampedBase::of(&content.tower);
+    let clamped = clamped.map(|base| sentence(&base.to_string()));
+    let limits = weight.into_iter().chain(clamped);
+    let sentences = sentences.chain(campbell.omissions()).chain(limits);
     let sentences: Vec<String> = sentences.collect();
     Statement {
         lead,

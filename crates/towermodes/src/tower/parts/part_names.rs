@@ -1,6 +1,7 @@
 //! The names of the parts of a tower.
 
 use crate::mooring::MooringItem;
+use crate::tower::error::Place;
 
 /// The names of the parts of a tower, for messages and reports only.
 ///
@@ -30,6 +31,17 @@ pub struct PartNames {
 }
 
 impl PartNames {
+    /// The name of the point mass or of the set of wires at a place, if it has a name.
+    pub fn of(&self, place: Place) -> Option<&str> {
+        let (names, index) = match place {
+            Place::PointMass { index, .. } => (&self.point_masses, index),
+            Place::Wires { index, .. } => (&self.wires, index),
+            _ => return None,
+        };
+        let name = names.get(index).map(String::as_str);
+        name.filter(|name| !name.is_empty())
+    }
+
     /// The name of a part of the mooring lines, if it has a name.
     pub fn of_mooring(&self, item: MooringItem) -> Option<&str> {
         let (names, index) = match item {

@@ -16,6 +16,9 @@ const CENTRE: Usual = Usual::at_most(Quantity::CentreDistance, 25.0);
 const RNA_SHARE: Usual = Usual::at_least(Quantity::RnaShare, 0.01);
 /// A smaller point mass has no effect on a tower of [`LARGE_KG`]: its value is probably in t.
 const POINT_MASS: Usual = Usual::at_least(Quantity::PointMass, 10.0);
+/// A mass at a clamped base of at most this fraction of the mass of the tower is a base flange, which
+/// lists of masses contain; a larger one is probably at another height.
+const BASE_FLANGE: f64 = 0.05;
 /// The mass of a large tower, kg.
 const LARGE_KG: f64 = 20e3;
 /// The mass of the RNA is at most this many times that of the tower.
@@ -87,10 +90,11 @@ fn point_mass(tower: &Tower, index: usize, mass: &PointMass, warnings: &mut Vec<
     let has_inertia = mass.inertia_kg_m2 != Inertia::default();
     let moves = &tower.base().moves;
     let moves = if has_inertia { &moves[..] } else { &moves[..3] };
+    let is_flange = (f64::MIN_POSITIVE..=BASE_FLANGE * tower.mass_kg()).contains(&mass.mass_kg);
     if mass.mass_kg == 0.0 && !has_inertia {
         let (site, what) = (at("mass"), Ineffective::EmptyPointMass);
         warnings.push(Warning::NoEffect { site, what });
-    } else if mass.height_m == tower.base_m() && !moves.contains(&true) {
+    } else if mass.height_m == tower.base_m() && !moves.contains(&true) && !is_flange {
         let (site, what) = (at("height"), Ineffective::MassAtClampedBase);
         warnings.push(Warning::NoEffect { site, what });
     } else if mass.mass_kg == 0.0 {

@@ -21,6 +21,10 @@ const THICKEST_STEEL: f64 = 30.0;
 const WIDE_M: f64 = 1.5;
 /// Metals have a Young's modulus above this, concrete and wood below, Pa.
 const METAL_PA: f64 = 6e10;
+/// Parts of one material that are welded to each other have diameters that differ by less than this
+/// fraction of the diameter, and by less than this many walls.
+const STEP: f64 = 0.1;
+const STEP_WALLS: f64 = 4.0;
 /// Largest length of a flange as a fraction of its diameter.
 const FLANGE: f64 = 0.5;
 
@@ -29,6 +33,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
     lines(tower.stations(), warnings);
     walls(tower.stations(), given.materials, warnings);
     useless_rows(tower, warnings);
+    steps(tower.stations(), given.materials, warnings);
     if tower.height_m() > TALLEST_M {
         let (index, key) = (tower.station_heights_m().len() - 1, "height");
         warnings.push(Warning::TallTower {
@@ -130,6 +135,38 @@ fn lines(stations: &[Station], warnings: &mut Vec<Warning>) {
             expected,
         });
     }
+}
+
+/// The largest step of the outer diameter of a wide tube of metal, if nobody builds it.
+fn steps(stations: &[Station], materials: &[Material], warnings: &mut Vec<Warning>) {
+    let step_m = |index: usize| {
+        (stations[index].outer_diameter_m - stations[index - 1].outer_diameter_m).abs()
+    };
+    let is_odd = |index: &usize| {
+        let (below, above) = (&stations[index - 1], &stations[*index]);
+        let wide_m = below.outer_diameter_m.max(above.outer_diameter_m);
+        let wall_m = below.wall_thickness_m.max(above.wall_thickness_m);
+        below.height_m == above.height_m
+            && below.material == above.material
+            && materials[above.material].youngs_modulus_pa > METAL_PA
+            && wide_m > WIDE_M
+            && step_m(*index) > (STEP * wide_m).max(STEP_WALLS * wall_m)
+    };
+    // Steps at the ends have a warning of their own.
+    let inner = 2..stations.len().saturating_sub(1);
+    let largest = inner.filter(is_odd);
+    let largest = largest.max_by(|a, b| step_m(*a).total_cmp(&step_m(*b)));
+    warnings.extend(largest.map(|index| {
+        Warning::DiameterStep {
+            site: Site::at(Place::Station {
+                index,
+                key: "diameter",
+            })
+            .high(stations[index].height_m),
+            below_m: stations[index - 1].outer_diameter_m,
+            above_m: stations[index].outer_diameter_m,
+        }
+    }));
 }
 
 /// Rows at the ends that have no length.
