@@ -117,7 +117,7 @@ fn summary(tower: &Tower, solution: &Solution) -> String {
         rna(tower),
         solution.method.name(),
         mesh(solution.method, solution.segments, solution.degree),
-        completeness(&solution.certificate, solution.modes.len()),
+        completeness(solution),
     )
 }
 

@@ -26,10 +26,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         paragraph(errors(solution)),
         table(of_errors(solution)),
         Block::Heading("Completeness".to_owned()),
-        paragraph(proof_of_completeness(
-            &solution.certificate,
-            solution.modes.len(),
-        )),
+        paragraph(proof_of_completeness(solution)),
         Block::Heading("Energy".to_owned()),
         paragraph(names(content)),
         table(energy(solution)),

@@ -70,10 +70,11 @@ pub(crate) fn uncertain_end(
     certificate: &Certificate,
     count_elsewhere: usize,
 ) -> Option<Warning> {
-    let below_hz = certificate.below_hz;
     let extrapolated_hz = modes.iter().map(|mode| mode.extrapolated_hz);
-    is_uncertain_end(extrapolated_hz, certificate, count_elsewhere)
-        .then_some(Warning::UncertainEnd { below_hz })
+    is_uncertain_end(extrapolated_hz, certificate, count_elsewhere).then(|| Warning::UncertainEnd {
+        last_hz: modes.last().map_or(0.0, |mode| mode.frequency_hz),
+        below_hz: certificate.below_hz,
+    })
 }
 
 /// Whether another mesh has another count of modes below the end of the list than certified, or a
