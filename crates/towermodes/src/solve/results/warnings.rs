@@ -3,13 +3,10 @@
 use super::super::on_mesh::one_mesh::Described;
 use super::super::on_mesh::stability::VERGE;
 use super::super::request::options::Options;
-use super::solution::{Certificate, Mode};
+use super::solution::{Certificate, Mode, RESOLVED};
 use crate::elements::Mesh;
 use crate::tower::Tower;
 use crate::{Method, Warning};
-
-/// With a larger error relative to the frequency a mode is not resolved.
-const RESOLVED: f64 = 0.02;
 
 /// Larger errors relative to the frequency, of modes that do not converge regularly, cause a
 /// warning.
@@ -196,9 +193,7 @@ pub(crate) fn irregular(modes: &[Mode], places: &[usize]) -> Option<Warning> {
 
 fn unresolved(modes: &[Mode]) -> Option<Warning> {
     let relative = |m: &Mode| m.error_hz() / m.frequency_hz;
-    // A motion without stiffness has frequency 0, and no error is small relative to it.
-    let moving = modes.iter().filter(|m| m.frequency_hz > 0.0);
-    let unresolved: Vec<&Mode> = moving.filter(|m| relative(m) > RESOLVED).collect();
+    let unresolved: Vec<&Mode> = modes.iter().filter(|mode| !mode.is_resolved()).collect();
     Some(Warning::Unresolved {
         number: unresolved.first()?.number,
         others: unresolved.len() - 1,
