@@ -149,7 +149,9 @@ fn remedy(value: &str) -> String {
 /// Whether a text is a name, such as that of a model.
 fn is_name(value: &str) -> bool {
     let mut letters = value.bytes();
-    let begins = letters.next().is_some_and(|byte| byte.is_ascii_alphabetic());
+    let begins = letters
+        .next()
+        .is_some_and(|byte| byte.is_ascii_alphabetic());
     begins && letters.all(|byte| byte.is_ascii_alphanumeric() || byte == b'-' || byte == b'_')
 }
 

@@ -280,7 +280,9 @@ fn springs_at_a_pile_tip_and_layers_are_named() {
     svg.says("soil springs at the pile tip: lateral 5.577e8 N/m, rocking 4.405e9 N m");
     svg.says("till (clay), z = −20 to −80 m");
     assert!(!svg.contains("stiffness matrix"));
-    figure.description.says("springs at the base; soil springs at the pile tip");
+    figure
+        .description
+        .says("springs at the base; soil springs at the pile tip");
     assert!(!figure.description.contains("matrix"));
 }
 

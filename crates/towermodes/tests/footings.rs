@@ -482,12 +482,14 @@ fn the_head_of_a_footing_is_its_matrix_in_both_planes() {
     let side_side = tower.foundation_head_side_side().expect("springs");
     let axial = tower.foundation_head_axial().expect("springs");
     assert_eq!(height_m, tower.base_m());
-    let of = |head: towermodes::HeadStiffness| {
-        [head.lateral_n_per_m, head.coupling_n, head.rocking_n_m]
-    };
+    let of =
+        |head: towermodes::HeadStiffness| [head.lateral_n_per_m, head.coupling_n, head.rocking_n_m];
     assert_eq!(of(fore_aft), [k[0][0], k[0][4], k[4][4]]);
     assert_eq!(of(side_side), [k[1][1], -k[1][3], k[3][3]]);
-    assert_eq!([axial.vertical_n_per_m, axial.torsion_n_m], [k[2][2], k[5][5]]);
+    assert_eq!(
+        [axial.vertical_n_per_m, axial.torsion_n_m],
+        [k[2][2], k[5][5]]
+    );
 }
 
 /// The underside of a footing is at the base, so the bed of the water is higher by its embedment.

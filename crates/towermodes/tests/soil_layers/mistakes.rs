@@ -564,7 +564,11 @@ fn a_table_of_springs_in_other_units_beside_layers_is_warned_of() {
         };
         description.soil = vec![vec![row(-40.0), row(-30.0)]];
         let tower = Tower::new(description).expect("valid");
-        tower.warnings().iter().map(Warning::place).collect::<Vec<_>>()
+        tower
+            .warnings()
+            .iter()
+            .map(Warning::place)
+            .collect::<Vec<_>>()
     };
     assert_eq!(told(1e8), []);
     let (layer, row, key) = (0, 1, "x");

@@ -1,8 +1,6 @@
 //! The foundation: hatching, springs, a footing or a pile.
 
-use towermodes::{
-    Buried, ClosedForm, FoundationSprings, StiffnessFoundation, Support, TipSprings,
-};
+use towermodes::{Buried, ClosedForm, FoundationSprings, StiffnessFoundation, Support, TipSprings};
 
 use super::callouts::Callout;
 use super::substructure;
@@ -24,10 +22,7 @@ pub(super) fn below(parts: &Parts<'_>) -> f64 {
 
 /// Draws the foundation at the base, except for a floating platform.
 pub(super) fn draw_foundation(drawing: &mut Drawing, view: &View<'_>) {
-    match (
-        view.parts.given.foundation.support(),
-        view.parts.springs(),
-    ) {
+    match (view.parts.given.foundation.support(), view.parts.springs()) {
         (Support::Floating(_) | Support::Frame(_), _) => {}
         (Support::Form(form), _) => {
             draw_in_soil(drawing, view, &InSoil::new(view, form.buried()));

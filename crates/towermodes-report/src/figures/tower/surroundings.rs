@@ -1,7 +1,7 @@
 //! Soil and water around the tower.
 
-use towermodes::{GroundLayer, TowerDescription};
 use towermodes::tower::Piece;
+use towermodes::{GroundLayer, TowerDescription};
 
 use super::callouts::Callout;
 use super::view::View;

@@ -45,7 +45,11 @@ fn stiffest_row(tower: &Tower) -> Usual {
     let stiffest = layers.map(|springs| springs.lateral_n_per_m2);
     let stiffest = stiffest.fold(0.0, f64::max);
     let [least, most] = STIFFEST_ROW;
-    Usual::new(Quantity::SoilSpring, least.max(BESIDE_LAYERS * stiffest), most)
+    Usual::new(
+        Quantity::SoilSpring,
+        least.max(BESIDE_LAYERS * stiffest),
+        most,
+    )
 }
 
 fn of_layer((layer, rows): (usize, &[SoilRow]), usual: Usual, warnings: &mut Vec<Warning>) {

@@ -172,7 +172,11 @@ impl Tower {
                 false => [spring - k * k / section],
             }
         };
-        let at_tip = if is_held { 0.0 } else { base.stiffness[motion][motion] };
+        let at_tip = if is_held {
+            0.0
+        } else {
+            base.stiffness[motion][motion]
+        };
         let [value] = self.integrated_to(surface_m, [at_tip], slope);
         if is_held { 1.0 / value } else { value }
     }
