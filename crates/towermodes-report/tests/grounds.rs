@@ -249,6 +249,69 @@ fn local_scour_is_a_hole_beside_the_pile() {
     assert!((nearest_m - expected_m).abs() < 0.01, "{nearest_m}");
 }
 
+/// The springs of the soil at the tip of a pile are named as such, with their values, and the
+/// layers by name; the tip is no end of a layer.
+#[test]
+fn springs_at_a_pile_tip_and_layers_are_named() {
+    let mut clay = GroundLayer::new(
+        [-20.0, -80.0],
+        LayerSoil::Clay(towermodes::Clay::default()),
+        SoilModel::PisaCowden,
+    );
+    clay.shear_modulus = Some(towermodes::ShearModulus::Given {
+        shear_modulus_pa: [1e8; 2],
+    });
+    let mut description = TowerDescription {
+        ground: Some(Ground::new(-20.0, vec![clay])),
+        foundation: Foundation::Springs(FoundationSprings {
+            lateral_n_per_m: 0.0,
+            rocking_n_m: 0.0,
+            ..FoundationSprings::RIGID
+        }),
+        rna: Rna::point(350e3),
+        ..steel(stations(&[(-50.0, 6.0, 0.06), (88.0, 3.87, 0.019)]))
+    };
+    description.part_names.ground = vec!["till".to_owned()];
+    look("pile tip", &description, 8);
+    let tower = Tower::new(description.clone()).expect("a tower");
+    let figure = figures::tower(&description, &tower);
+    let svg = figure.to_svg(Look::Standalone);
+    // k_H G D = (2.717 - 0.3575 * 5) 1e8 * 6 and k_M G D3 = (0.2146 - 0.002132 * 5) 1e8 * 216.
+    svg.says("soil springs at the pile tip: lateral 5.577e8 N/m, rocking 4.405e9 N m");
+    svg.says("till (clay), z = −20 to −80 m");
+    assert!(!svg.contains("stiffness matrix"));
+    figure
+        .description
+        .says("springs at the base; soil springs at the pile tip");
+    assert!(!figure.description.contains("matrix"));
+}
+
+/// The base is at the underside of an embedded footing: the soil reaches above it.
+#[test]
+fn an_embedded_footing_is_above_the_base() {
+    let description = TowerDescription {
+        foundation: rectangular_footing(18.0, 12.0),
+        water: Some(parts::water(20.0, Some(2.0), 1025.0, 1.0, false)),
+        ..plain()
+    };
+    look("embedded footing", &description, 8);
+    let tower = Tower::new(description.clone()).expect("a tower");
+    let solution = solve(&tower, &Options::default()).expect("a solution");
+    let scene = figures::animation_data(&description, &tower, &solution);
+    let heights_m = |of: Substance| {
+        let bodies = scene.bodies.iter().filter(move |body| body.of == of);
+        let heights_m = bodies.flat_map(|body| body.points.iter().map(|point| point[2]));
+        heights_m.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| {
+            [low.min(z), high.max(z)]
+        })
+    };
+    let [underside_m, _] = heights_m(Substance::Foundation);
+    let [_, surface_m] = heights_m(Substance::Soil);
+    assert!((underside_m - tower.base_m()).abs() < 1e-3, "{underside_m}");
+    // Shallow footings are drawn thicker than 2 m.
+    assert!(surface_m >= tower.base_m() + 2.0, "{surface_m}");
+}
+
 /// Layers are soil from the surface that scour leaves to their lowest end, and no deeper below the
 /// tip than a tenth of the tower's height.
 #[test]

@@ -10,6 +10,30 @@ use towermodes::{
 use towermodes_testing::{Says, assert_matches, changed, number, numbers, rows, tube, with};
 use towers::{all_frequencies, assert_close, solved};
 
+/// A short pile without shear deformation below a tower with it.
+#[test]
+fn a_short_pile_without_shear_deformation_is_warned_of() {
+    let told = |embedded_length_m, shear| {
+        let mut pile = unit_pile(0.0, 1.0);
+        pile.tube = PileTube {
+            diameter_m: 7.0,
+            wall_thickness_m: 0.07,
+            embedded_length_m,
+            youngs_modulus_pa: 2.1e11,
+        };
+        let description = TowerDescription {
+            shear,
+            ..tower_on(Foundation::WinklerPile(Box::new(pile)))
+        };
+        let tower = Tower::new(description).expect("a possible tower");
+        let is_so = |warning: &Warning| matches!(warning, Warning::PileWithoutShear { .. });
+        tower.warnings().iter().any(is_so)
+    };
+    assert!(told(32.0, towermodes::Shear::Cowper));
+    assert!(!told(71.0, towermodes::Shear::Cowper));
+    assert!(!told(32.0, towermodes::Shear::Rigid));
+}
+
 /// A solid pile with EI = 1 for E = 64/π, in springs z^m; its length is the reduced one.
 fn unit_pile(exponent: f64, length: f64) -> WinklerPile {
     WinklerPile {

@@ -467,6 +467,55 @@ fn soil_is_not_counted_twice() {
     assert!(!with(footing, vec![row(0.0), row(5.0)]));
 }
 
+/// The head of a footing whose sides differ has the values of its matrix in each plane.
+#[test]
+fn the_head_of_a_footing_is_its_matrix_in_both_planes() {
+    let footing = changed!(
+        rectangular(FootingFormula::Gazetas),
+        embedment_m = 2.0,
+        is_coupled = true
+    );
+    let k = footing.stiffness();
+    let foundation = Foundation::RectangularFooting(Box::new(footing));
+    let tower = Tower::new(tower_on(foundation)).expect("a tower");
+    let (height_m, fore_aft) = tower.foundation_head().expect("springs");
+    let side_side = tower.foundation_head_side_side().expect("springs");
+    let axial = tower.foundation_head_axial().expect("springs");
+    assert_eq!(height_m, tower.base_m());
+    let of =
+        |head: towermodes::HeadStiffness| [head.lateral_n_per_m, head.coupling_n, head.rocking_n_m];
+    assert_eq!(of(fore_aft), [k[0][0], k[0][4], k[4][4]]);
+    assert_eq!(of(side_side), [k[1][1], -k[1][3], k[3][3]]);
+    assert_eq!(
+        [axial.vertical_n_per_m, axial.torsion_n_m],
+        [k[2][2], k[5][5]]
+    );
+}
+
+/// The underside of a footing is at the base, so the bed of the water is higher by its embedment.
+#[test]
+fn the_bed_of_the_water_is_at_the_soil_around_a_footing() {
+    let told = |embedment_m, bed_m| {
+        let footing = changed!(rectangular(FootingFormula::Gazetas), embedment_m);
+        let description = TowerDescription {
+            water: Some(parts::water(20.0, bed_m, 1025.0, 1.0, false)),
+            ..tower_on(Foundation::RectangularFooting(Box::new(footing)))
+        };
+        let tower = Tower::new(description).expect("a possible tower");
+        let mut warnings = tower.warnings().to_vec();
+        warnings.retain(|warning| matches!(warning, Warning::BedOffFooting { .. }));
+        warnings
+    };
+    assert_eq!(told(0.0, None), []);
+    assert_eq!(told(2.0, Some(2.0)), []);
+    for bed_m in [None, Some(0.0)] {
+        let warnings = told(2.0, bed_m);
+        assert_eq!(warnings.len(), 1, "{bed_m:?}");
+        warnings[0].says("the soil around the footing reaches up to 2 m");
+        assert_eq!(warnings[0].place(), Some(Place::Water { key: "bed" }));
+    }
+}
+
 /// Springs without coupling under water: of a pile by their lever, or of a footing.
 #[test]
 fn the_head_of_a_pile_is_coupled() {

@@ -53,7 +53,7 @@ fn energy(
     modes: &[ModeDamping],
     (has_gravity, floats): (bool, bool),
 ) -> String {
-    let mut header = vec!["mode".to_owned(), "frequency Hz".to_owned()];
+    let mut header = vec!["mode".to_owned(), "extrapolated Hz".to_owned()];
     header.extend(first.parts.iter().map(|part| match part.part {
         DampedPart::Water => "water (kinetic)".to_owned(),
         _ => part.name(),

@@ -7,7 +7,7 @@ use serde::Serialize;
 use towermodes::modes::serialized::Directions;
 use towermodes::{
     AddedMassAt, Certificate, HeadStiffness, Method, MissingParts, Mode, Solution, SpringsAt,
-    SpringsOfMember, StaticBalance, Statistics, Tower, TowerDescription,
+    SpringsOfMember, StaticBalance, Statistics, TipSprings, Tower, TowerDescription,
 };
 use towermodes_analysis::influence::{Influences, Tolerances};
 
@@ -98,14 +98,26 @@ struct FoundationHead {
     height_m: f64,
     /// The stiffness at this height, in the fore-aft plane: K_L, K_LR and K_R.
     stiffness: HeadStiffness,
+    /// The same in the side-side plane, for the displacement y and the rotation about −x; null if a
+    /// motion in this plane is rigidly held.
+    side_side: Option<HeadStiffness>,
+    /// Force per displacement z, N/m; null if the motion is rigidly held.
+    vertical_n_per_m: Option<f64>,
+    /// Moment per rotation about z, N m; null if the motion is rigidly held.
+    torsion_n_m: Option<f64>,
 }
 
 impl FoundationHead {
     fn of(tower: &Tower) -> Option<Self> {
         let (height_m, stiffness) = tower.foundation_head()?;
+        let axial = tower.foundation_head_axial()?;
+        let elastic = |stiffness: f64| Some(stiffness).filter(|stiffness| stiffness.is_finite());
         Some(Self {
             height_m,
             stiffness,
+            side_side: tower.foundation_head_side_side(),
+            vertical_n_per_m: elastic(axial.vertical_n_per_m),
+            torsion_n_m: elastic(axial.torsion_n_m),
         })
     }
 }
@@ -122,6 +134,9 @@ struct GroundSummary {
     /// The springs by increasing height; linear in between, twice at a height where they have a
     /// step.
     springs: Vec<SpringsAt>,
+    /// The springs of the soil under the tip of the pile, which add to the foundation at the base;
+    /// null if the models give none, and on members.
+    tip: Option<TipSprings>,
     /// The springs along the piles of the members below the tower, member by member.
     members: Vec<SpringsOfMember>,
 }
@@ -134,6 +149,7 @@ impl GroundSummary {
             surface_m: tower.ground_surface_m()?,
             pile_head: head.map(|head| head.stiffness),
             springs: tower.springs_of_soil(),
+            tip: tower.springs_at_tip(),
             members: tower.springs_of_members(),
         })
     }

@@ -4,7 +4,7 @@
 use towermodes::space::SpatialMatrix;
 use towermodes::{
     FloatingPlatform, FoundationSprings, PointMass, Rna, StiffnessFoundation, Support, Tower,
-    TowerDescription,
+    TowerDescription, Water,
 };
 
 use super::outline::outer_diameter_m;
@@ -18,7 +18,9 @@ const DEEPEST: f64 = 4.0;
 /// A tower with its RNA, its foundation and its surroundings.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Parts<'a> {
-    /// The given description.
+    /// The description as it was given.
+    pub given: &'a TowerDescription,
+    /// The same, or with rows of springs in place of soil in layers.
     pub description: &'a TowerDescription,
     /// The tower made from the description.
     pub tower: &'a Tower,
@@ -30,6 +32,7 @@ impl<'a> Parts<'a> {
     /// The parts of a description and its tower.
     pub fn new(description: &'a TowerDescription, tower: &'a Tower) -> Self {
         Self {
+            given: description,
             description,
             tower,
             surface: Surface::of(description),
@@ -73,16 +76,22 @@ impl<'a> Parts<'a> {
         })
     }
 
-    /// The springs below the base, unless the base is fixed or there are none: of two planes of a
-    /// matrix the stiffer one, and only the terms on the diagonal.
+    /// The springs below the base, unless they hold it or there are none: of two planes of a matrix
+    /// the stiffer one, and the terms on its diagonal alone. With those of the soil at a pile tip.
     pub fn springs(&self) -> Option<FoundationSprings> {
-        let springs = match self.description.foundation.support() {
+        let mut springs = match self.given.foundation.support() {
             Support::Springs(springs) => *springs,
             Support::Stiffness(matrices) => on_diagonal(matrices),
             Support::Clamped | Support::Floating(_) | Support::Form(_) | Support::Frame(_) => {
                 return None;
             }
         };
+        if let Some(tip) = self.tower.springs_at_tip() {
+            springs.lateral_n_per_m += tip.lateral_n_per_m;
+            springs.rocking_n_m += tip.rocking_n_m;
+            springs.vertical_n_per_m += tip.vertical_n_per_m;
+            springs.torsion_n_m += tip.torsion_n_m;
+        }
         (!are_rigid(&springs)).then_some(springs)
     }
 
@@ -119,7 +128,7 @@ impl<'a> Parts<'a> {
     pub fn ground_m(&self) -> Option<f64> {
         let water = self.description.water;
         let of_frame = || self.substructure()?.ground_m();
-        let bed_m = water.map(|water| water.bed_m.unwrap_or(self.tower.base_m()));
+        let bed_m = water.map(|water| self.bed_m(&water));
         // Scour lowers the surface of the layers below the bed.
         let layers_m = self.surface.map(|surface| surface.general_m);
         let bed_m = layers_m.or(bed_m).or_else(of_frame);
@@ -129,6 +138,21 @@ impl<'a> Parts<'a> {
             (Some(bed_m), Some(surface_m)) => Some(bed_m.max(surface_m)),
             (bed_m, surface_m) => bed_m.or(surface_m),
         }
+    }
+
+    /// The height of the seabed, m: without a given one the surface of the soil at the base.
+    pub fn bed_m(&self, water: &Water) -> f64 {
+        water.bed_m.unwrap_or_else(|| {
+            let above_base_m = match self.given.foundation.support() {
+                Support::Form(form) => form.buried().surface_above_base_m(),
+                Support::Clamped
+                | Support::Springs(_)
+                | Support::Stiffness(_)
+                | Support::Floating(_)
+                | Support::Frame(_) => 0.0,
+            };
+            self.tower.base_m() + above_base_m
+        })
     }
 
     /// The height of the water surface, m: around the tower, the frame under it or its floating

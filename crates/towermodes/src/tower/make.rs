@@ -51,6 +51,7 @@ impl Tower {
         let mut tower = Self::supported(&mut rows)?;
         tower.ground = description.ground.as_ref().map(|ground| InGround {
             surface_m: ground.scoured_surface_m(),
+            at_tip: plan.at_tip(description).unwrap_or_default(),
             soil_error: plan.error(),
         });
         tower.warnings = plausibility::plausibility(&tower, &Given::of(description));

@@ -64,7 +64,7 @@ pub use pieces::shear::Shear;
 pub(crate) use support::added_mass::InertiaByFrequency;
 pub use support::base::Base;
 pub use support::independent::{Component, Motion, Motions};
-pub use support::pile_head::{SpringsAt, SpringsOfMember};
+pub use support::pile_head::{AxialHead, SpringsAt, SpringsOfMember, TipSprings};
 pub use warning::{Ineffective, Site, Warning};
 
 pub use crate::inputs::Quantity;

@@ -55,6 +55,8 @@ pub struct Tower {
 pub(super) struct InGround {
     /// Height of the surface, or of the bottom of the hole of local scour, m.
     pub(super) surface_m: f64,
+    /// The springs of the soil under the tip of the pile, in the order of motions; zero on a frame.
+    pub(super) at_tip: [f64; 6],
     /// See [`Tower::soil_error`].
     pub(super) soil_error: f64,
 }

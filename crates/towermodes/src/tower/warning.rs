@@ -283,6 +283,34 @@ pub enum Warning {
         /// The type of the foundation.
         site: Site,
     },
+    /// Water around an embedded footing whose bed is not at the surface of the soil.
+    #[error(
+        "{}the bed of the water is at {} m, but the soil around the footing reaches up to {} m: its underside is at the base of the tower and embedded by {} m; set bed = {}, or correct the height of the base",
+        .site.before(), Plain(*.bed_m), Plain(*.surface_m), Plain(*.embedment_m), Plain(*.surface_m)
+    )]
+    BedOffFooting {
+        /// The bed.
+        site: Site,
+        /// Height of the bed, m; without a given one that of the base.
+        bed_m: f64,
+        /// Height of the surface of the soil around the footing, m.
+        surface_m: f64,
+        /// Depth of the underside of the footing below this surface, m.
+        embedment_m: f64,
+    },
+    /// A short pile by a closed form without shear deformation, below a tower that deforms in shear.
+    #[error(
+        "the embedded length of the pile is {} diameters, and this type neglects the shear deformation of the pile, which the tower has (shear = true): below {} diameters the foundation is noticeably too stiff; model the pile by stations down to its tip with soil in layers ([ground])",
+        Plain(rounded(*.lengths)), Plain(*.least)
+    )]
+    PileWithoutShear {
+        /// The embedded length.
+        site: Site,
+        /// The embedded length over the diameter.
+        lengths: f64,
+        /// From this length on shear deformation is small.
+        least: f64,
+    },
     /// Springs without coupling at a base under water.
     #[error(
         "the base is under water and its lateral and rocking springs have no coupling; the springs of the head of a pile are coupled, \
@@ -414,6 +442,25 @@ pub enum Warning {
         level_m: f64,
         /// Height of the ground's surface before scour, m.
         surface_m: f64,
+    },
+    /// Values of a layer of soil that its models do not use.
+    #[error("{} have no effect, because the models of this layer do not use them", .keys.join(", "))]
+    UnusedInLayer {
+        /// The first of the values.
+        site: Site,
+        /// The keys of the values.
+        keys: Vec<&'static str>,
+    },
+    /// Scour of soil whose shear modulus does not depend on the stress.
+    #[error(
+        "scour removes soil, but does not reduce the shear modulus of the soil that is left: {} is a value before scour; only the modulus by void_ratio follows the lower stress",
+        .keys.join(", ")
+    )]
+    ModulusBeforeScour {
+        /// The value of the uppermost of the layers.
+        site: Site,
+        /// The keys of the values that the shear modulus follows from.
+        keys: Vec<&'static str>,
     },
     /// Scour that leaves little of the embedment of a pile.
     #[error(
@@ -764,6 +811,10 @@ impl Warning {
             | Self::BedOffSurface { site, .. }
             | Self::DryUnderWater { site, .. }
             | Self::DeepScour { site, .. }
+            | Self::UnusedInLayer { site, .. }
+            | Self::ModulusBeforeScour { site, .. }
+            | Self::BedOffFooting { site, .. }
+            | Self::PileWithoutShear { site, .. }
             | Self::OutOfBalance { site, .. }
             | Self::PushedAside { site, .. }
             | Self::OtherMembers { site, .. }

@@ -494,6 +494,87 @@ fn pisa_is_warned_of_without_shear_only() {
     );
 }
 
+/// G₀ of a measurement stays after scour, G₀ by the void ratio does not; no note without scour, or
+/// where the springs do not use it.
+#[test]
+fn a_modulus_that_does_not_follow_scour_is_noted() {
+    let told = |model, modulus, scour_m: f64| {
+        let warnings = warnings_of(|_| ());
+        assert_eq!(warnings, []);
+        let mut description = oc3(SoilModel::Api);
+        let ground = ground_of(&mut description);
+        ground.scour.local_m = scour_m;
+        for own in &mut ground.layers {
+            own.model = model;
+            own.poissons_ratio = Some(0.3);
+            own.shear_modulus = Some(modulus);
+        }
+        let tower = Tower::new(description).expect("valid");
+        let mut warnings = tower.warnings().to_vec();
+        warnings.retain(|warning| matches!(warning, Warning::ModulusBeforeScour { .. }));
+        warnings
+    };
+    let given = ShearModulus::Given {
+        shear_modulus_pa: [3e7, 9e7],
+    };
+    let hardin = ShearModulus::Hardin {
+        void_ratio: 0.6,
+        earth_pressure_at_rest: 0.4,
+    };
+    let warnings = told(SoilModel::Winkler, given, 4.0);
+    assert_eq!(warnings.len(), 1);
+    warnings[0].says("shear_modulus is a value before scour");
+    assert_eq!(warnings[0].place(), Some(of(0, "shear_modulus")));
+    assert_eq!(told(SoilModel::Winkler, given, 0.0), []);
+    assert_eq!(told(SoilModel::Winkler, hardin, 4.0), []);
+    assert_eq!(told(SoilModel::Api, given, 4.0), []);
+}
+
+/// Values that the models of a layer do not use are named in one warning for each layer.
+#[test]
+fn unused_values_of_a_layer_have_one_warning() {
+    let warnings = warnings_of(|d| {
+        let layer = &mut ground_of(d).layers[0];
+        layer.poissons_ratio = Some(0.3);
+        layer.shear_modulus = Some(ShearModulus::Given {
+            shear_modulus_pa: [3e7, 9e7],
+        });
+    });
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    let Warning::UnusedInLayer { keys, .. } = &warnings[0] else {
+        panic!("{warnings:?}");
+    };
+    let mut keys = keys.clone();
+    keys.sort_unstable();
+    assert_eq!(keys, ["poissons_ratio", "shear_modulus"]);
+}
+
+/// A table of springs in kN/m² beside layers.
+#[test]
+fn a_table_of_springs_in_other_units_beside_layers_is_warned_of() {
+    let told = |spring| {
+        let mut description = oc3(SoilModel::Api);
+        let row = |height_m| towermodes::SoilRow {
+            height_m,
+            stiffness: towermodes::SoilStiffness {
+                x_n_per_m2: spring,
+                y_n_per_m2: spring,
+                ..towermodes::SoilStiffness::default()
+            },
+        };
+        description.soil = vec![vec![row(-40.0), row(-30.0)]];
+        let tower = Tower::new(description).expect("valid");
+        tower
+            .warnings()
+            .iter()
+            .map(Warning::place)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(told(1e8), []);
+    let (layer, row, key) = (0, 1, "x");
+    assert_eq!(told(1e5), [Some(Place::Soil { layer, row, key })]);
+}
+
 /// Normally consolidated clay begins with no strength, Gibson's soil with no stiffness; soil that
 /// has none anywhere is refused.
 #[test]

@@ -3,8 +3,8 @@
 use super::{first_hz, free_tip, ground, ground_of, layer, oc3};
 use crate::towers::assert_close;
 use towermodes::{
-    Foundation, FoundationSprings, LayerSoil, Material, Shear, ShearModulus, SoilModel, Station,
-    Tower, TowerDescription,
+    Foundation, FoundationSprings, LayerSoil, Material, Shear, ShearModulus, SoilModel, SoilRow,
+    SoilStiffness, Station, Tower, TowerDescription,
 };
 
 /// A uniform pile for the integration, and springs at its tip.
@@ -158,6 +158,74 @@ fn pisa_has_the_head_stiffness_of_its_one_dimensional_model() {
         for (got, expected) in head_of(&description).into_iter().zip(expected) {
             assert_close(got, expected, 1e-5, &format!("D = {diameter_m} m"));
         }
+        // k_H G₀ D and k_M G₀ D³ of Cowden till with the tip's G₀ of 20 MPa to 400 MPa.
+        let tip = Tower::new(description).expect("valid").springs_at_tip();
+        let tip = tip.expect("PISA has springs at the tip");
+        let slenderness = length_m / diameter_m;
+        let modulus_pa = 2e8 + (length_m - 11.0) / 24.0 * 2e8;
+        let lateral = (2.717 - 0.3575 * slenderness).max(0.0) * modulus_pa * diameter_m;
+        let rocking = (0.2146 - 0.002132 * slenderness) * modulus_pa * diameter_m.powi(3);
+        assert_close(tip.lateral_n_per_m, lateral, 1e-12, "k_H G D");
+        assert_close(tip.rocking_n_m, rocking, 1e-12, "k_M G D3");
+        assert_eq!((tip.height_m, tip.vertical_n_per_m), (-length_m, 0.0));
+    }
+}
+
+/// API springs end at the tip; so does the soil of a fixed base.
+#[test]
+fn soil_without_springs_at_the_tip_has_none() {
+    let tower = Tower::new(oc3(SoilModel::Api)).expect("valid");
+    assert_eq!(tower.springs_at_tip(), None);
+}
+
+/// A pile in uniform springs along its axis: K = √(k EA) tanh(L √(k/EA)) with a free tip, coth with
+/// a fixed one; torsion with GJ.
+#[test]
+fn the_axial_head_is_that_of_a_bar_in_uniform_springs() {
+    let length_m = 30.0;
+    let soil = SoilStiffness {
+        x_n_per_m2: 1e8,
+        y_n_per_m2: 1e8,
+        z_n_per_m2: 4e7,
+        torsion_n: 5e8,
+        ..SoilStiffness::default()
+    };
+    let row = |height_m| SoilRow {
+        height_m,
+        stiffness: soil,
+    };
+    let material = Material::from_shear_modulus(7850.0, 2e11, 8e10);
+    let head = |vertical_n_per_m, torsion_n_m| {
+        let description = TowerDescription {
+            materials: vec![material],
+            stations: vec![
+                Station::new(-length_m, 6.0, 0.06),
+                Station::new(60.0, 6.0, 0.06),
+            ],
+            foundation: Foundation::Springs(FoundationSprings {
+                lateral_n_per_m: 0.0,
+                rocking_n_m: 0.0,
+                vertical_n_per_m,
+                torsion_n_m,
+                ..FoundationSprings::RIGID
+            }),
+            soil: vec![vec![row(-length_m), row(0.0)]],
+            ..TowerDescription::default()
+        };
+        let tower = Tower::new(description).expect("valid");
+        let section = tower.pieces()[0].section_at(-1.0);
+        let axial = tower.foundation_head_axial().expect("no frame");
+        let stiffness = [axial.vertical_n_per_m, axial.torsion_n_m];
+        (stiffness, [section.axial_n, section.torsion_n_m2])
+    };
+    let springs = [soil.z_n_per_m2, soil.torsion_n];
+    let (free, sections) = head(0.0, 0.0);
+    let (fixed, _) = head(f64::INFINITY, f64::INFINITY);
+    for i in 0..2 {
+        let scale = (springs[i] * sections[i]).sqrt();
+        let tanh = (length_m * (springs[i] / sections[i]).sqrt()).tanh();
+        assert_close(free[i], scale * tanh, 1e-9, "a free tip");
+        assert_close(fixed[i], scale / tanh, 1e-9, "a fixed tip");
     }
 }
 

@@ -1,6 +1,6 @@
 //! `towermodes plot --what soil` and `--what scour`.
 
-use towermodes::{Rotor, Solution, Tower};
+use towermodes::{Rotor, Solution, Tower, TowerDescription};
 use towermodes_analysis::soil_band::{scour_curve, soil_band};
 use towermodes_files::{Note, TowerInput};
 use towermodes_report::figures;
@@ -61,7 +61,10 @@ pub(super) fn scour(
     };
     let solution = solve(tower, &options)?;
     let step_m = DEEPEST_DIAMETERS * diameter_m / (DEPTHS - 1) as f64;
-    let depths_m: Vec<f64> = (0..DEPTHS).map(|step| step as f64 * step_m).collect();
+    let mut depths_m: Vec<f64> = (0..DEPTHS).map(|step| step as f64 * step_m).collect();
+    depths_m.extend(boundaries(description, DEEPEST_DIAMETERS * diameter_m));
+    depths_m.sort_by(f64::total_cmp);
+    depths_m.dedup();
     let each = |tower: &Tower| solve(tower, &options);
     let Some(curve) = scour_curve(description, &solution, &depths_m, each) else {
         return Err(Failure::failed(
@@ -75,7 +78,19 @@ pub(super) fn scour(
     Ok(drawn(figure, &solution, failed))
 }
 
-/// The rotor whose excitations are drawn (none if it is unknown), and the required margin.
+/// The depths of local scour that reach the top of a layer, at which the frequencies change their
+/// slope.
+fn boundaries(description: &TowerDescription, deepest_m: f64) -> Vec<f64> {
+    let Some(ground) = &description.ground else {
+        return Vec::new();
+    };
+    let surface_m = ground.surface_m - ground.scour.general_m;
+    let depths_m = ground.layers.iter().map(|layer| surface_m - layer.top_m);
+    let within = depths_m.filter(|depth_m| *depth_m > 0.0 && *depth_m < deepest_m);
+    within.collect()
+}
+
+/// The rotor whose excitations are drawn, none if it is unknown, and the required margin.
 fn rotor(input: &TowerInput, arguments: &PlotArguments) -> (Option<Rotor>, f64) {
     let rotor = arguments.rotor.rotor(input).map(|chosen| chosen.rotor);
     (rotor, arguments.rotor.options().margin)

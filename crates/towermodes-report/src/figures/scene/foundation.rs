@@ -20,7 +20,7 @@ const ANCHORS: f64 = 0.45;
 /// The bodies of a foundation; none for a clamped base.
 pub(super) fn foundation(parts: &Parts<'_>) -> Vec<Body> {
     match (
-        parts.description.foundation.support(),
+        parts.given.foundation.support(),
         parts.platform(),
         parts.springs(),
     ) {
@@ -77,8 +77,12 @@ fn in_soil(tower: &Tower, of: Buried) -> Vec<Body> {
     let deepest_m = if of.is_deep { DEEPEST } else { HALF_SPACE } * height_m;
     let depth_m = of.depth_m.clamp(FOOTING * height_m, deepest_m);
     let [x_m, y_m] = of.half_m.map(|half_m| half_m.min(HALF_SIDE * height_m));
+    let top_m = match of.surface_above_base_m() > 0.0 {
+        true => base_m + depth_m,
+        false => base_m,
+    };
     let surface_m = match of.depth_m > 0.0 {
-        true => base_m,
+        true => top_m,
         false => base_m - depth_m,
     };
     let soil_m = [surface_m - HALF_SPACE * height_m - depth_m, surface_m];
@@ -90,7 +94,7 @@ fn in_soil(tower: &Tower, of: Buried) -> Vec<Body> {
                 .to_vec(),
         }
     };
-    let corners = [outline(base_m - depth_m), outline(base_m)].concat();
+    let corners = [outline(top_m - depth_m), outline(top_m)].concat();
     vec![
         block(Substance::Soil, HALF_SIDE * height_m, soil_m),
         solid(Some(base_m), Substance::Foundation, corners),

@@ -50,13 +50,18 @@ fn draw_inside(drawing: &mut Drawing, view: &View<'_>, inner: &[(f64, f64)]) {
     drawing.polyline(left, &fine);
 }
 
-/// Draws lines across the tower where shells meet.
+/// Lines across the tower where shells meet at a station.
 fn draw_borders(drawing: &mut Drawing, view: &View<'_>, shells: &[Shell]) {
     if shells.len() > MOST_BORDERS {
         return;
     }
     let fine = Stroke::new(Colour::Ink, 0.6);
+    let stations_m = view.parts.tower.station_heights_m();
     for pair in shells.windows(2) {
+        // Soil and water divide shells at other heights too.
+        if !stations_m.contains(&pair[0].top_m) {
+            continue;
+        }
         let radius = view.radius(pair[0].outer_m[1].max(pair[1].outer_m[0]));
         let y = view.y(pair[0].top_m);
         drawing.line((view.axis_x - radius, y), (view.axis_x + radius, y), &fine);

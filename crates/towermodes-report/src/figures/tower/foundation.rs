@@ -1,6 +1,6 @@
 //! The foundation: hatching, springs, a footing or a pile.
 
-use towermodes::{Buried, ClosedForm, FoundationSprings, StiffnessFoundation, Support};
+use towermodes::{Buried, ClosedForm, FoundationSprings, StiffnessFoundation, Support, TipSprings};
 
 use super::callouts::Callout;
 use super::substructure;
@@ -12,7 +12,7 @@ use crate::svg::{Colour, Drawing, Stroke};
 
 /// Room that a foundation needs below the base.
 pub(super) fn below(parts: &Parts<'_>) -> f64 {
-    match parts.description.foundation.support() {
+    match parts.given.foundation.support() {
         Support::Clamped => 26.0,
         Support::Floating(_) => 16.0,
         Support::Frame(_) => substructure::BELOW,
@@ -22,10 +22,7 @@ pub(super) fn below(parts: &Parts<'_>) -> f64 {
 
 /// Draws the foundation at the base, except for a floating platform.
 pub(super) fn draw_foundation(drawing: &mut Drawing, view: &View<'_>) {
-    match (
-        view.parts.description.foundation.support(),
-        view.parts.springs(),
-    ) {
+    match (view.parts.given.foundation.support(), view.parts.springs()) {
         (Support::Floating(_) | Support::Frame(_), _) => {}
         (Support::Form(form), _) => {
             draw_in_soil(drawing, view, &InSoil::new(view, form.buried()));
@@ -101,11 +98,15 @@ impl InSoil {
         let half_width = wished.min(most);
         let embedded = of.depth_m * view.per_m;
         let depth = embedded.clamp(9.0, 48.0);
+        let top = match of.surface_above_base_m() > 0.0 {
+            true => y - depth,
+            false => y,
+        };
         Self {
-            top: y,
+            top,
             half_width,
             depth,
-            ground: if of.depth_m > 0.0 { y } else { y + depth },
+            ground: if of.depth_m > 0.0 { top } else { y + depth },
             is_to_scale: half_width == wished && embedded <= 48.0,
         }
     }
@@ -130,20 +131,36 @@ pub(super) fn callout(view: &View<'_>) -> Option<Callout> {
     let (x, y) = (view.axis_x, view.base());
     let half = base_radius(view);
     let (clamp, springs) = ((x + half + 14.0, y + 5.0), (x + half + 27.0, y + 6.0));
-    Some(match view.parts.description.foundation.support() {
+    let tip = view.parts.tower.springs_at_tip();
+    let with_tip = |mut lines: Vec<String>| {
+        lines.extend(tip.iter().flat_map(tip_lines));
+        lines
+    };
+    Some(match view.parts.given.foundation.support() {
         Support::Floating(_) | Support::Frame(_) => return None,
         Support::Clamped => Callout::whole(clamp, vec!["clamped".to_owned()]),
         Support::Springs(_) if view.parts.springs().is_none() => {
             Callout::whole(clamp, vec!["springs, all rigid: clamped".to_owned()])
         }
-        Support::Springs(given) => Callout::whole(springs, spring_lines(given)),
-        Support::Stiffness(matrices) => Callout::whole(springs, matrix_lines(matrices)),
+        Support::Springs(given) => Callout::whole(springs, with_tip(spring_lines(given))),
+        Support::Stiffness(matrices) => Callout::whole(springs, with_tip(matrix_lines(matrices))),
         Support::Form(form) => {
             let body = InSoil::new(view, form.buried());
             let at = (x + body.half_width, body.top + 0.6 * body.depth);
             Callout::whole(at, dimension_lines(form, body.is_to_scale))
         }
     })
+}
+
+/// The springs of the soil under the tip of a pile.
+fn tip_lines(tip: &TipSprings) -> Vec<String> {
+    let values = [
+        ("lateral", tip.lateral_n_per_m, "N/m"),
+        ("rocking", tip.rocking_n_m, "N m"),
+        ("vertical", tip.vertical_n_per_m, "N/m"),
+        ("torsion", tip.torsion_n_m, "N m"),
+    ];
+    in_pairs("soil springs at the pile tip: ", &values)
 }
 
 fn spring_lines(springs: &FoundationSprings) -> Vec<String> {
@@ -154,15 +171,20 @@ fn spring_lines(springs: &FoundationSprings) -> Vec<String> {
         ("torsion", springs.torsion_n_m, "N m"),
         ("coupling", springs.coupling_n, "N"),
     ];
-    let present = values.into_iter().filter(|(_, value, _)| *value != 0.0);
+    in_pairs("springs: ", &values)
+}
+
+/// The values that are not zero, two in a line, after a start.
+fn in_pairs(start: &str, values: &[(&str, f64, &str)]) -> Vec<String> {
+    let present = values.iter().filter(|(_, value, _)| *value != 0.0);
     let texts: Vec<String> = present
-        .map(|(name, value, unit)| format!("{name} {}", stiffness(value, unit)))
+        .map(|(name, value, unit)| format!("{name} {}", stiffness(*value, unit)))
         .collect();
     texts
         .chunks(2)
         .enumerate()
         .map(|(row, pair)| {
-            let start = if row == 0 { "springs: " } else { "" };
+            let start = if row == 0 { start } else { "" };
             format!("{start}{}", pair.join(", "))
         })
         .collect()

@@ -39,10 +39,11 @@ use surroundings::draw_water_and_ground;
 /// tube of the same bending stiffness with t = D/200, which is proportional to the fourth root of
 /// EI. RNA and platform are nominal silhouettes with their centres of mass to scale.
 pub fn tower(description: &TowerDescription, tower: &Tower) -> Figure {
-    let surface = Surface::of(description);
-    let description = &description.with_ground_as_soil();
+    let given = description;
+    let description = &given.with_ground_as_soil();
     let parts = Parts {
-        surface,
+        given,
+        surface: Surface::of(given),
         ..Parts::new(description, tower)
     };
     let (view, height) = sheet(parts);
@@ -65,7 +66,7 @@ pub fn tower(description: &TowerDescription, tower: &Tower) -> Figure {
     Figure {
         name: "tower".to_owned(),
         title,
-        description: numbers::description(description, tower),
+        description: numbers::description(&parts),
         drawing,
         table: numbers::table(&parts),
     }

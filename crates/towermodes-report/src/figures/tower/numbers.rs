@@ -1,17 +1,19 @@
 //! The picture of a tower as text and as a table.
 
-use towermodes::{Foundation, Support, Tower, TowerDescription};
+use towermodes::{Support, Tower, TowerDescription};
 
 use crate::figures::parts::Parts;
 use crate::number::{length, mass, short, stiffness};
 use crate::svg::DataTable;
 
-/// The figure as text.
-pub(super) fn description(description: &TowerDescription, tower: &Tower) -> String {
-    let mut parts = dimensions(tower);
-    parts.extend(bodies(tower));
-    parts.extend(surroundings(description));
-    parts.push(foundation(&description.foundation, tower).to_owned());
+/// The figure in words.
+pub(super) fn description(of: &Parts<'_>) -> String {
+    let mut parts = dimensions(of.tower);
+    parts.extend(bodies(of.tower));
+    parts.extend(surroundings(of.description));
+    parts.push(foundation(of).to_owned());
+    let at_tip = "soil springs at the pile tip".to_owned();
+    parts.extend(of.tower.springs_at_tip().map(|_| at_tip));
     format!("{}.", parts.join("; "))
 }
 
@@ -79,9 +81,9 @@ fn soil(description: &TowerDescription) -> Option<String> {
     ))
 }
 
-fn foundation(foundation: &Foundation, tower: &Tower) -> &'static str {
-    match foundation.support() {
-        _ if tower.base().is_clamped() => "clamped at the base",
+fn foundation(parts: &Parts<'_>) -> &'static str {
+    match parts.given.foundation.support() {
+        _ if parts.tower.base().is_clamped() => "clamped at the base",
         Support::Clamped => "clamped at the base",
         Support::Stiffness(_) => "foundation with a stiffness matrix",
         Support::Springs(_) => "springs at the base",
@@ -176,7 +178,7 @@ fn around(parts: &Parts<'_>) -> Vec<Vec<String>> {
     let level = |(height_m, what): (f64, String)| row(what, height_m, none());
     let scoured = parts.scoured_levels();
     let water = description.water.iter().flat_map(|water| {
-        let bed_m = water.bed_m.unwrap_or(tower.base_m());
+        let bed_m = parts.bed_m(water);
         let bed = scoured.is_empty().then(|| (bed_m, "seabed".to_owned()));
         let levels = [(water.level_m, "water level".to_owned())];
         levels.into_iter().chain(bed).map(level)

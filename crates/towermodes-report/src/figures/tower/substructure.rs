@@ -1,6 +1,6 @@
 //! A frame under the tower from the side: its members, supports and transition piece.
 
-use towermodes::frame::FrameMember;
+use towermodes::frame::{FrameMasses, FrameMember};
 
 use super::callouts::Callout;
 use super::view::View;
@@ -153,6 +153,24 @@ fn center_m(substructure: &Substructure<'_>) -> [f64; 3] {
     std::array::from_fn(|i| reference[i] + arm[i])
 }
 
+/// The mass of the members, and with it the other masses that move with them.
+fn masses_of(masses: &FrameMasses) -> String {
+    let own = mass(masses.members_kg);
+    let others = [
+        (masses.joints_kg, "masses on joints"),
+        (masses.growth_kg, "marine growth"),
+        (masses.filling_kg, "fillings"),
+    ];
+    let others = others.into_iter().filter(|(mass_kg, _)| *mass_kg != 0.0);
+    let others: Vec<String> = others
+        .map(|(mass_kg, name)| format!("{name} {}", mass(mass_kg)))
+        .collect();
+    match others.is_empty() {
+        true => own,
+        false => format!("{own}; {}", others.join(", ")),
+    }
+}
+
 /// The labels of the frame, its water and its ground.
 pub(super) fn callouts(view: &View<'_>) -> Vec<Callout> {
     let Some(substructure) = view.parts.substructure() else {
@@ -166,7 +184,7 @@ pub(super) fn callouts(view: &View<'_>) -> Vec<Callout> {
             counted(description.joints.len(), "joint"),
             counted(description.members.len(), "member")
         ),
-        mass(substructure.frame().mass_kg()),
+        masses_of(&substructure.frame().masses()),
     ];
     let members = description.members.iter();
     let rightmost = members

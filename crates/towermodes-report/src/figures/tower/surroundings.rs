@@ -1,7 +1,7 @@
 //! Soil and water around the tower.
 
-use towermodes::TowerDescription;
 use towermodes::tower::Piece;
+use towermodes::{GroundLayer, TowerDescription};
 
 use super::callouts::Callout;
 use super::view::View;
@@ -102,7 +102,8 @@ pub(super) fn draw_soil(drawing: &mut Drawing, view: &View<'_>) {
             continue;
         };
         let within = |height_m: f64| view.y(height_m).clamp(frame.top, frame.bottom);
-        let (top, bottom) = (within(top.height_m), within(bottom.height_m));
+        let lowest_m = bottom.height_m;
+        let (top, bottom) = (within(top.height_m), within(lowest_m));
         let left_top = (frame.left, top + 8.0);
         let size = (
             view.axis_x - beside - SPRING - frame.left,
@@ -110,7 +111,10 @@ pub(super) fn draw_soil(drawing: &mut Drawing, view: &View<'_>) {
         );
         let name = format!("layer{layer}");
         hatching(drawing, &name, left_top, size, layer % 2 == 0);
-        drawing.line((frame.left, bottom), (frame.right, bottom), &border);
+        // The soil goes on below the tip of a pile.
+        if view.parts.tower.base_m() < lowest_m {
+            drawing.line((frame.left, bottom), (frame.right, bottom), &border);
+        }
     }
     draw_bars(drawing, view, most);
     draw_soil_springs(drawing, view, most);
@@ -211,7 +215,7 @@ pub(super) fn callouts(view: &View<'_>) -> Vec<Callout> {
     let scoured = view.parts.scoured_levels();
     let water = description.water.iter().flat_map(|water| {
         let flooded = if water.flooded { ", tower flooded" } else { "" };
-        let bed_m = water.bed_m.unwrap_or(view.parts.tower.base_m());
+        let bed_m = view.parts.bed_m(water);
         let surface = level(water.level_m, format!("water level{flooded}"));
         let bed = scoured
             .is_empty()
@@ -232,7 +236,31 @@ pub(super) fn callouts(view: &View<'_>) -> Vec<Callout> {
         Callout::whole(view.on_shell(height_m), vec![text])
     });
     let levels = water.chain(beds).flatten();
-    levels.chain(soil).chain(added).collect()
+    let layers = layers(view).into_iter();
+    levels.chain(layers).chain(soil).chain(added).collect()
+}
+
+/// The name and the range of each layer of soil around the pile, at its middle.
+fn layers(view: &View<'_>) -> Vec<Callout> {
+    let (given, tower) = (view.parts.given, view.parts.tower);
+    let Some(ground) = &given.ground else {
+        return Vec::new();
+    };
+    let surface_m = tower.ground_surface_m().unwrap_or(ground.surface_m);
+    let layers = ground.layers.iter().enumerate().take(MOST_LAYERS);
+    let callout = |(index, layer): (usize, &GroundLayer)| {
+        let top_m = layer.top_m.min(surface_m);
+        let bottom_m = layer.bottom_m.max(tower.base_m());
+        let middle_m = 0.5 * (top_m + bottom_m);
+        let name = given.part_names.ground.get(index);
+        let name = name.map(|name| name.trim()).filter(|name| !name.is_empty());
+        let name = name.map_or_else(|| format!("layer {}", index + 1), str::to_owned);
+        let [top, bottom] = [layer.top_m, layer.bottom_m].map(length);
+        let text = format!("{name} ({}), z = {top} to {bottom} m", layer.soil.noun());
+        let at = (view.frame.right, view.y(middle_m));
+        (bottom_m < top_m && view.shows(middle_m)).then(|| Callout::whole(at, vec![text]))
+    };
+    layers.filter_map(callout).collect()
 }
 
 /// The height of the largest added mass of a table, m, and its value, kg/m.

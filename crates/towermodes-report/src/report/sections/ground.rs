@@ -1,9 +1,10 @@
 //! The layers of soil around the pile, in a table.
 
-use towermodes::{Ground, GroundLayer, HeadStiffness, SpringsAt, Tower};
+use towermodes::inputs::given_inputs;
+use towermodes::{Ground, GroundLayer, HeadStiffness, SpringsAt, TipSprings, Tower};
 
 use super::super::table::Table;
-use super::inputs::{in_short, of_inputs};
+use super::inputs::{in_short, of_inputs_but};
 use crate::number::{given, length};
 
 /// Largest number of layers that are shown.
@@ -11,14 +12,19 @@ const MOST_LAYERS: usize = 50;
 
 /// The ground as a whole, its layers, and the resulting springs.
 pub(super) fn ground(ground: &Ground, names: &[String], tower: &Tower) -> Vec<Table> {
+    let edition: &[&str] = match ground.depends_on_edition() {
+        true => &[],
+        false => &["edition"],
+    };
     let mut tables = vec![
-        of_inputs("Soil in layers", ground, []),
+        of_inputs_but("Soil in layers", ground, edition, []),
         layers(ground, names),
     ];
     tables.push(match tower.frame() {
         Some(_) => springs_of_members(tower),
         None => springs(tower),
     });
+    tables.extend(tower.springs_at_tip().map(|tip| springs_at_tip(&tip)));
     let head = tower.ground_surface_m().zip(tower.pile_head());
     tables.extend(head.map(|(surface_m, head)| pile_head(surface_m, &head)));
     tables
@@ -26,7 +32,7 @@ pub(super) fn ground(ground: &Ground, names: &[String], tower: &Tower) -> Vec<Ta
 
 fn springs(tower: &Tower) -> Table {
     let mut table = Table::new(
-        "Spring stiffness per unit length of the pile, sum of all soil layers; linear between rows",
+        "Spring stiffness per unit length of the pile, sum of all soil layers, from the surface down; linear between rows",
         [
             "#height z (m)",
             "#lateral k (N/m²)",
@@ -35,14 +41,34 @@ fn springs(tower: &Tower) -> Table {
             "#torsion (N)",
         ],
     );
-    for springs in tower.springs_of_soil() {
-        table.push(cells(&springs));
+    for springs in tower.springs_of_soil().iter().rev() {
+        table.push(cells(springs));
     }
     table.without_empty_columns().shortened()
 }
 
-/// The height of springs, and their stiffness in lateral and axial direction, for lateral rotation
-/// and for torsion.
+fn springs_at_tip(tip: &TipSprings) -> Table {
+    let mut table = Table::new(
+        "Springs of the soil under the pile tip, which add to the foundation at the base",
+        [
+            "#height z (m)",
+            "#lateral, x and y (N/m)",
+            "#rocking, about x and y (N m)",
+            "#vertical (N/m)",
+            "#torsion (N m)",
+        ],
+    );
+    table.push([
+        length(tip.height_m),
+        given(tip.lateral_n_per_m),
+        given(tip.rocking_n_m),
+        given(tip.vertical_n_per_m),
+        given(tip.torsion_n_m),
+    ]);
+    table.without_empty_columns()
+}
+
+/// The height of springs, and their stiffness across, along, for rotation across and torsion.
 fn cells(springs: &SpringsAt) -> [String; 5] {
     [
         length(springs.height_m),
@@ -104,15 +130,21 @@ fn layers(ground: &Ground, names: &[String]) -> Table {
             length(layer.bottom_m),
             layer.soil.noun().to_owned(),
             layer.model.name().to_owned(),
-            values(layer).join("; "),
+            values(layer, &ground.unused_values(index)).join("; "),
         ]);
     }
     table
 }
 
-/// The values of a layer, each with its unit.
-fn values(layer: &GroundLayer) -> Vec<String> {
+/// The values of a layer that its models use, each with its unit.
+fn values(layer: &GroundLayer, unused: &[&str]) -> Vec<String> {
+    // Without the modulus its other values have no meaning either.
+    let modulus = layer.shear_modulus;
+    let modulus = modulus.filter(|modulus| unused.contains(&modulus.key()));
+    let of_modulus = given_inputs(&modulus).into_iter();
+    let of_modulus = of_modulus.map(|(input, _)| input.key);
+    let unused: Vec<&str> = unused.iter().copied().chain(of_modulus).collect();
     let rows = layer.soil.rows().len();
     let rows = (rows > 0).then(|| format!("{rows} rows"));
-    rows.into_iter().chain(in_short(layer)).collect()
+    rows.into_iter().chain(in_short(layer, &unused)).collect()
 }

@@ -13,8 +13,18 @@ pub(super) fn of_inputs(
     inputs: &dyn Inputs,
     others: impl IntoIterator<Item = (String, String)>,
 ) -> Table {
+    of_inputs_but(caption, inputs, &[], others)
+}
+
+/// The same without the values of some keys.
+pub(super) fn of_inputs_but(
+    caption: &str,
+    inputs: &dyn Inputs,
+    left_out: &[&str],
+    others: impl IntoIterator<Item = (String, String)>,
+) -> Table {
     let mut table = Table::new(caption, ["quantity", "#value"]);
-    for (name, value) in facts(inputs).into_iter().chain(others) {
+    for (name, value) in facts_but(inputs, left_out).into_iter().chain(others) {
         table.push([name, value]);
     }
     table
@@ -22,7 +32,12 @@ pub(super) fn of_inputs(
 
 /// The values of a table with their units, without those that are infinite by default.
 pub(super) fn facts(inputs: &dyn Inputs) -> Vec<(String, String)> {
+    facts_but(inputs, &[])
+}
+
+fn facts_but(inputs: &dyn Inputs, left_out: &[&str]) -> Vec<(String, String)> {
     let all = given_inputs(inputs).into_iter();
+    let all = all.filter(|(input, _)| !left_out.contains(&input.key));
     let facts =
         all.filter_map(|(input, value)| Some((labelled(input, value), shown(input, value)?)));
     facts.collect()
@@ -43,13 +58,13 @@ pub(super) fn of_list(caption: &str, all: &[impl Inputs], names: &[String]) -> T
     table.named(names).shortened()
 }
 
-/// The values of a table as a short text, each with its symbol, or with its name if it has no
-/// symbol: "φ′ 35°". Names, and heights, which have their own columns in the table, are not
-/// included.
-pub(super) fn in_short(inputs: &dyn Inputs) -> Vec<String> {
+/// The numbers of a table in a few words, each with its symbol, or with its name where it has none:
+/// "φ′ 35°". Heights, which a table has in columns of their own, names, and the values of some keys
+/// are not among them.
+pub(super) fn in_short(inputs: &dyn Inputs, left_out: &[&str]) -> Vec<String> {
     let values = given_inputs(inputs).into_iter();
     let texts = values.filter_map(|(input, given)| {
-        if input.is_height() {
+        if input.is_height() || left_out.contains(&input.key) {
             return None;
         }
         let (meaning, unit) = (input.meaning(), input.spaced_unit);

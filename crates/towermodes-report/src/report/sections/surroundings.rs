@@ -29,7 +29,12 @@ pub(super) fn surroundings(description: &TowerDescription, tower: &Tower) -> Vec
             .flatten(),
     );
     let water = description.water.as_ref();
-    tables.extend(water.map(|water| of_inputs("Water around the tower", water, [])));
+    let is_scoured = ground.is_some_and(|ground| ground.scoured_surface_m() < ground.surface_m);
+    let caption = match is_scoured {
+        true => "Water around the tower; the seabed is before scour",
+        false => "Water around the tower",
+    };
+    tables.extend(water.map(|water| of_inputs(caption, water, [])));
     let added = description.added_mass.iter().enumerate().take(MOST_TABLES);
     let which_table = |index| which(index, description.added_mass.len(), &names.added_mass);
     tables.extend(added.map(|(index, rows)| added_mass(&which_table(index), rows)));

@@ -44,6 +44,11 @@ pub trait ClosedForm: Inputs + fmt::Debug {
         Vec::new()
     }
 
+    /// Whether it describes short piles too, and neglects their shear deformation.
+    fn neglects_shear_of_short_pile(&self) -> bool {
+        false
+    }
+
     /// Its outline in the soil, for pictures.
     fn buried(&self) -> Buried;
 }
@@ -80,6 +85,14 @@ pub struct Buried {
     pub is_deep: bool,
     /// The elastic soil below a footing.
     pub soil: Option<SoilBelow>,
+}
+
+impl Buried {
+    /// Height of the surface of the soil above the base of the tower, m: the base is at the
+    /// underside of a footing, and at the head of a pile or a caisson.
+    pub fn surface_above_base_m(&self) -> f64 {
+        if self.is_deep { 0.0 } else { self.depth_m }
+    }
 }
 
 /// The elastic soil below a footing.

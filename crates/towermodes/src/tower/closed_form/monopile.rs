@@ -297,8 +297,7 @@ impl Monopile {
         } = self.slenderness();
         let (key, formula) = ("embedded_length", self.formula.name());
         let quantity = "the embedded length of the pile, divided by its diameter,";
-        let softer =
-            "a shorter pile is softer: use type = \"winkler-pile\" or [[soil]] along the pile";
+        let softer = "a shorter pile is softer: model the pile by stations down to its tip with soil in layers ([ground])";
         let bends = "a longer pile bends: use type = \"winkler-pile\" or [[soil]] along the pile";
         match self.formula {
             PileFormula::ShadlouBhattacharya => {

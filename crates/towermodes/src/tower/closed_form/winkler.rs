@@ -227,6 +227,10 @@ impl ClosedForm for WinklerPile {
         derived
     }
 
+    fn neglects_shear_of_short_pile(&self) -> bool {
+        true
+    }
+
     fn buried(&self) -> Buried {
         deep("pile", self.tube.diameter_m, self.tube.embedded_length_m)
     }

@@ -415,7 +415,7 @@ pub enum Problem {
     },
     /// A tower whose lowest station is not in the ground.
     #[error(
-        "the tower does not reach into the soil: its lowest station is at {} m, the surface of the ground at {} m with scour of {} m",
+        "the tower does not reach into the soil: its lowest station is at {} m, the surface of the ground at {} m with scour of {} m; [ground] is for piles, whose stations reach down to the tip; a footing has a type in [foundation] with the modulus of its soil, without [ground]",
         Plain(*.tip_m), Plain(*.surface_m), Plain(*.scour_m)
     )]
     PileAboveSoil {

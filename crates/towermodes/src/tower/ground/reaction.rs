@@ -9,6 +9,7 @@ use super::models::springs_of;
 use super::pile::Pile;
 use super::spot::Spot;
 use super::values::{NoSprings, Values};
+use crate::inputs::{Given, given_inputs};
 use crate::tower::description::TowerDescription;
 
 /// The springs of one layer by its models.
@@ -68,10 +69,53 @@ impl Ground {
         axial.any(|axial| axial.nature().depends_on_edition)
     }
 
+    /// Whether a spring depends on the [edition](Self::edition).
+    pub fn depends_on_edition(&self) -> bool {
+        self.modulus_depends_on_edition() || self.axial_depends_on_edition()
+    }
+
+    /// The keys of the given values of a layer that its models do not use. The weight of a layer
+    /// is used, because it loads the layers below.
+    pub fn unused_values(&self, index: usize) -> Vec<&'static str> {
+        let layer = self.layers.get(index);
+        let models = layer.and_then(|layer| Models::of(layer, self).ok());
+        match layer.zip(models) {
+            Some((layer, models)) => layer.unused_values(&models),
+            None => Vec::new(),
+        }
+    }
+
     /// The models of the layers whose required values are given.
     fn models(&self) -> impl Iterator<Item = Models<'_>> {
         let layers = self.layers.iter();
         layers.filter_map(|layer| Models::of(layer, self).ok())
+    }
+}
+
+/// The weight of a layer loads the layers below.
+const ALWAYS_USED: &str = "effective_unit_weight";
+
+impl GroundLayer {
+    /// The keys of the given values that the models of the layer do not use.
+    pub(in crate::tower) fn unused_values(&self, models: &Models<'_>) -> Vec<&'static str> {
+        let used = &models.used;
+        let given = self.given_values();
+        let unused = given.filter(|key| *key != ALWAYS_USED && !used.contains(key));
+        unused.collect()
+    }
+
+    /// The keys of the optional values that are given; of a shear modulus the first key.
+    fn given_values(&self) -> impl Iterator<Item = &'static str> {
+        let modulus = self.shear_modulus.map(|modulus| modulus.key());
+        let is_given = move |key: &str, given: Given| match given {
+            Given::Optional(value) => value.is_some(),
+            Given::Pair(pair) => pair.is_some(),
+            Given::Number(_) => modulus == Some(key),
+            Given::Triple(_) | Given::Count(_) | Given::Flag(_) | Given::Name(..) => false,
+        };
+        let values = given_inputs(self).into_iter();
+        let given = values.filter(move |(input, value)| is_given(input.key, *value));
+        given.map(|(input, _)| input.key)
     }
 }
 

@@ -31,6 +31,15 @@ impl GroundPlan {
         }
     }
 
+    /// The springs of the soil under the tip of a tower against x, y, z and the rotations about
+    /// them; none of the piles of a frame.
+    pub(in crate::tower) fn at_tip(&self, description: &TowerDescription) -> Option<[f64; 6]> {
+        match self {
+            Self::OfTower(plan) => Some(Reactions::of(description)?.at_tip(plan.tip_layer)),
+            Self::OfFrame(_) => None,
+        }
+    }
+
     /// Relative error of a frequency by the linear interpolation.
     pub(in crate::tower) fn error(&self) -> f64 {
         match self {

@@ -101,6 +101,21 @@ impl ShearModulus {
         }
     }
 
+    /// Whether it depends on the stress that is left after scour; a measured value and a
+    /// correlation with a measurement are values before scour.
+    pub(in crate::tower) fn follows_scour(&self) -> bool {
+        match self {
+            Self::Hardin { .. } => true,
+            Self::Given { .. }
+            | Self::Youngs { .. }
+            | Self::WaveVelocity { .. }
+            | Self::RixStokoe { .. }
+            | Self::MayneRix { .. }
+            | Self::RobertsonCabal { .. }
+            | Self::BlowCount { .. } => false,
+        }
+    }
+
     /// Whether it depends on the weight of the soil above.
     pub(in crate::tower) fn needs_stress(&self) -> bool {
         match self {

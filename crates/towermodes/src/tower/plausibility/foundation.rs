@@ -4,6 +4,7 @@ use super::couplings::{self, Named};
 use super::usual::{Usual, check_inputs};
 use super::{Given, floating, frame, frequency_hz};
 use crate::tower::Warning;
+use crate::tower::closed_form::ClosedForm;
 use crate::tower::foundation::Support;
 use crate::tower::{Place, Tower};
 use crate::tower::{Quantity, Site};
@@ -25,6 +26,10 @@ const SOUND_M_PER_S: f64 = 5000.0;
 /// The centre of the stiffness matrix may be above the base by this fraction of the tower's height,
 /// because entries are rounded.
 const ABOVE: f64 = 0.005;
+/// From this embedded length in diameters on the shear deformation of a pile is small.
+const SLENDER_PILE: f64 = 10.0;
+/// Heights of the bed and of the soil that differ by less are equal, m.
+const SAME_HEIGHT_M: f64 = 1e-6;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
     match given.foundation.support() {
@@ -43,6 +48,8 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
             check_inputs(form, |key| Place::Foundation { key }, warnings);
             let base = tower.stations().first();
             form.doubt(base.map(|station| station.outer_diameter_m), warnings);
+            pile_without_shear(tower, form, warnings);
+            bed_off_footing(tower, given, form, warnings);
         }
         Support::Floating(platform) => floating::check(tower, given, platform, warnings),
         Support::Springs(own) => {
@@ -67,6 +74,42 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
                 warnings,
             );
         }
+    }
+}
+
+/// A short pile without shear deformation below a tower that has it.
+fn pile_without_shear(tower: &Tower, form: &dyn ClosedForm, warnings: &mut Vec<Warning>) {
+    let of = form.buried();
+    let lengths = of.depth_m / (2.0 * of.half_m[0]);
+    if form.neglects_shear_of_short_pile() && tower.shears() && lengths < SLENDER_PILE {
+        warnings.push(Warning::PileWithoutShear {
+            site: at("embedded_length"),
+            lengths,
+            least: SLENDER_PILE,
+        });
+    }
+}
+
+/// Water whose bed, given or by default at the base, is not at the surface of the soil around an
+/// embedded footing.
+fn bed_off_footing(
+    tower: &Tower,
+    given: &Given<'_>,
+    form: &dyn ClosedForm,
+    warnings: &mut Vec<Warning>,
+) {
+    let Some(water) = given.water else { return };
+    let embedment_m = form.buried().surface_above_base_m();
+    let surface_m = tower.base_m() + embedment_m;
+    let bed_m = water.bed_m.unwrap_or(tower.base_m());
+    let is_off = (bed_m - surface_m).abs() > SAME_HEIGHT_M;
+    if embedment_m > 0.0 && is_off && water.level_m > surface_m {
+        warnings.push(Warning::BedOffFooting {
+            site: Site::at(Place::Water { key: "bed" }),
+            bed_m,
+            surface_m,
+            embedment_m,
+        });
     }
 }
 

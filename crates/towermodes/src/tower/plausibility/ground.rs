@@ -23,11 +23,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
         weight(ground, layer, at("effective_unit_weight"), warnings);
         check_inputs(layer, |key| Place::GroundLayer { index, key }, warnings);
         if let Ok(models) = Models::of(layer, ground) {
-            let unused = unused::of(layer, &models).into_iter();
-            warnings.extend(unused.map(|(key, what)| Warning::NoEffect {
-                site: at(key),
-                what,
-            }));
+            unused::check(layer, &models, at, warnings);
         }
         if layer.top_m <= tip_m && index > 0 && !is_under_a_tip(ground, index, &piles) {
             let (site, what) = (at("top"), Ineffective::LayerBelowTip);
@@ -35,6 +31,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
         }
     }
     deep_scour(tip_m, ground, warnings);
+    modulus_before_scour(tip_m, ground, warnings);
     models(&piles, ground, warnings);
     if let Some(foundation) = given.foundation.frame() {
         frame_piles::check(foundation.frame.description(), ground, warnings);
@@ -68,6 +65,31 @@ fn deep_scour(tip_m: f64, ground: &Ground, warnings: &mut Vec<Warning>) {
             embedded_m,
             left_m: embedded_m - scour_m,
         });
+    }
+}
+
+/// Scour where the springs of a layer that is left depend on a modulus that does not follow it.
+fn modulus_before_scour(tip_m: f64, ground: &Ground, warnings: &mut Vec<Warning>) {
+    let scoured_m = ground.scoured_surface_m();
+    if scoured_m == ground.surface_m {
+        return;
+    }
+    let layers = ground.layers.iter().enumerate();
+    let is_left = |layer: &GroundLayer| layer.bottom_m < scoured_m && layer.top_m > tip_m;
+    let fixed = layers.filter_map(|(index, layer)| {
+        let modulus = layer.shear_modulus?;
+        let models = Models::of(layer, ground).ok()?;
+        let key = modulus.key();
+        let is_fixed = !modulus.follows_scour() && models.used.contains(&key);
+        (is_fixed && is_left(layer)).then_some((index, key))
+    });
+    let fixed: Vec<_> = fixed.collect();
+    if let Some(&(index, key)) = fixed.first() {
+        let mut keys: Vec<_> = fixed.iter().map(|(_, key)| *key).collect();
+        keys.sort_unstable();
+        keys.dedup();
+        let site = Site::at(Place::GroundLayer { index, key });
+        warnings.push(Warning::ModulusBeforeScour { site, keys });
     }
 }
 

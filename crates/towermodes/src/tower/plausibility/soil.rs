@@ -8,7 +8,10 @@ use crate::tower::{Piece, Place, Plane, SoilRow, SoilStiffness, Tower};
 
 /// The stiffest row of a layer is at least as stiff as very soft clay, and at most as stiff as
 /// rock.
-const STIFFEST_ROW: Usual = Usual::new(Quantity::SoilSpring, 5e4, 1e12);
+const STIFFEST_ROW: [f64; 2] = [5e4, 1e12];
+/// The stiffest spring of a table as a fraction of that of layers on the same pile: soft clay above
+/// dense sand has more; values in kN instead of N have a thousandth.
+const BESIDE_LAYERS: f64 = 1.0 / 300.0;
 const PLANES: Usual = Usual::new(Quantity::SoilPlaneRatio, 0.1, 10.0);
 /// Lowest embedded length of a tower that is supported by soil, as a fraction of the length over
 /// which it bends in the soil.
@@ -20,7 +23,7 @@ const HOLDS: f64 = 5.0;
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
     let before = warnings.len();
     for (layer, rows) in given.soil.iter().enumerate() {
-        of_layer(layer, rows, warnings);
+        of_layer((layer, rows), stiffest_row(tower), warnings);
     }
     let is_odd = warnings.len() > before;
     if given.soil.is_empty() && given.ground.is_none() {
@@ -35,7 +38,21 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
     }
 }
 
-fn of_layer(layer: usize, rows: &[SoilRow], warnings: &mut Vec<Warning>) {
+/// The usual range of the stiffest row of a table: beside soil in layers it is at least as stiff as
+/// a small fraction of their stiffest spring.
+fn stiffest_row(tower: &Tower) -> Usual {
+    let layers = tower.springs_of_soil().into_iter();
+    let stiffest = layers.map(|springs| springs.lateral_n_per_m2);
+    let stiffest = stiffest.fold(0.0, f64::max);
+    let [least, most] = STIFFEST_ROW;
+    Usual::new(
+        Quantity::SoilSpring,
+        least.max(BESIDE_LAYERS * stiffest),
+        most,
+    )
+}
+
+fn of_layer((layer, rows): (usize, &[SoilRow]), usual: Usual, warnings: &mut Vec<Warning>) {
     let at = |row, key| Site::at(Place::Soil { layer, row, key });
     if rows
         .iter()
@@ -55,7 +72,7 @@ fn of_layer(layer: usize, rows: &[SoilRow], warnings: &mut Vec<Warning>) {
     let stiffest = larger.max_by(|(.., a), (.., b)| a.total_cmp(b));
     // A layer may have only springs along or about the axis.
     if let Some((index, row, spring)) = stiffest.filter(|(.., spring)| *spring > 0.0) {
-        STIFFEST_ROW.check(spring, at(index, "x").high(row.height_m), warnings);
+        usual.check(spring, at(index, "x").high(row.height_m), warnings);
     }
     let both = transverse.filter(|(_, _, x, y)| *x > 0.0 && *y > 0.0);
     let ratios = both.map(|(index, row, x, y)| (PLANES, y / x, at(index, "y").high(row.height_m)));

@@ -14,8 +14,8 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let mut points = vec![
         beam::beam(content),
         sections(description),
-        "Displacements are small, about the undeformed position. No structural, aerodynamic or soil damping is included; its effect on the \
-         natural frequencies is small."
+        "Displacements are small, about the undeformed position. The frequencies and mode shapes are those of the undamped structure; the effect of \
+         damping on the natural frequencies is small. The command damping computes damping ratios."
             .to_owned(),
         gravity(content),
         rna(content),
