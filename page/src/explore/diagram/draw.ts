@@ -127,13 +127,9 @@ function names(content: Content, scale: Scale, { height, text }: Frame): string[
   return [below, beside, `<text class="name" x="${n(at)}" y="${n(top - 0.4 * text)}" text-anchor="middle">${words}</text>`];
 }
 
-/** A rotor speed with five digits: speeds from a controller, in rad/s, have sixteen in rpm. */
-const rounded = (rpm: number): number => Number(rpm.toPrecision(5));
-
 /** The operating speeds in words, the middle of these above the field, and half their width. */
 function titleOf([from, to]: Place, { x, left, right }: Scale, text: number): { at: number; half: number; words: string } {
-  const [low, high] = [from, to].map(rounded);
-  const words = `operation ${from === to ? low : `${low} to ${high}`} rpm`;
+  const words = `operation ${from === to ? "" : `${speedText(from)} to `}${speedText(to)} rpm`;
   const half = 0.3 * text * words.length;
   return { at: Math.min(Math.max(x(0.5 * (from + to)), left + half), right - half), half, words };
 }
