@@ -165,7 +165,7 @@ fn masses(tower: &Tower) -> Vec<Vec<String>> {
 
 /// The rows of guy wires, water and soil.
 fn around(parts: &Parts<'_>) -> Vec<Vec<String>> {
-    let (description, tower) = (parts.description, parts.tower);
+    let description = parts.description;
     let none = || [None, None, None, None];
     let wires = description.wires.iter().map(|wires| {
         let (angle, each) = (
