@@ -33,7 +33,7 @@ use crate::failure::Failure;
 use crate::recipe;
 
 /// Natural frequencies and mode shapes of wind turbine towers, with error estimates and a proof, in
-/// floating-point arithmetic, that no mode of the model is missing
+/// floating-point arithmetic, that no mode of the model is missing.
 #[derive(Debug, Parser)]
 #[command(
     name = "towermodes",
