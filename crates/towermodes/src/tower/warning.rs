@@ -298,7 +298,8 @@ pub enum Warning {
         /// Depth of the underside of the footing below this surface, m.
         embedment_m: f64,
     },
-    /// A short pile by a closed form without shear deformation, below a tower that deforms in shear.
+    /// A short pile by a closed form without shear deformation, below a tower that deforms in
+    /// shear.
     #[error(
         "the embedded length of the pile is {} diameters, and this type neglects the shear deformation of the pile, which the tower has (shear = true): below {} diameters the foundation is noticeably too stiff; model the pile by stations down to its tip with soil in layers ([ground])",
         Plain(rounded(*.lengths)), Plain(*.least)

@@ -411,7 +411,12 @@ fn silent_nonsense_is_refused_or_warned_of() {
         let warnings = Tower::new(description).expect("possible");
         let warnings = warnings.warnings().iter();
         // The model has no use for one of these numbers, which is said too.
-        let warnings = warnings.filter(|warning| !matches!(warning, Warning::NoEffect { .. }));
+        let warnings = warnings.filter(|warning| {
+            !matches!(
+                warning,
+                Warning::NoEffect { .. } | Warning::UnusedInLayer { .. }
+            )
+        });
         let warnings: Vec<&Warning> = warnings.collect();
         assert!(
             matches!(&warnings[..], [Warning::Unusual { quantity, site, .. }]
@@ -447,7 +452,12 @@ fn silent_nonsense_is_refused_or_warned_of() {
         (own.shear_modulus, own.poissons_ratio) = (Some(modulus), Some(0.3));
         let tower = Tower::new(description).expect("possible");
         let warnings = tower.warnings().iter();
-        let warnings = warnings.filter(|warning| !matches!(warning, Warning::NoEffect { .. }));
+        let warnings = warnings.filter(|warning| {
+            !matches!(
+                warning,
+                Warning::NoEffect { .. } | Warning::UnusedInLayer { .. }
+            )
+        });
         let warnings: Vec<&Warning> = warnings.collect();
         assert!(
             matches!(&warnings[..], [Warning::Unusual { quantity, .. }] if quantity.name() == expected),
