@@ -139,6 +139,16 @@ fn near_pairs_are_told_apart_or_returned_together() {
     }
 }
 
+/// Rounding of the first mode is 1e-16 of θ₁, and θ₂ is 1e-10 of θ₁: residuals of about 1e-6 do not
+/// tell modes apart that differ by 1e-7, so the list must contain both.
+#[test]
+fn a_list_does_not_end_between_modes_that_its_residuals_do_not_tell_apart() {
+    let lambdas = vec![1.0, 1e10, 1e10 * (1.0 + 1e-7), 1e11, 2e11, 3e11];
+    let mut workspace = EigenWorkspace::default();
+    lowest(&mut Diagonal::new(lambdas, |_| 1.0), 2, &mut workspace).expect("all found");
+    assert_eq!(workspace.eigenvalues().len(), 3);
+}
+
 #[test]
 fn all_eigenvalues_of_small_pencils() {
     for size in 1..12 {

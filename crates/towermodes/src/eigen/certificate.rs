@@ -1,8 +1,8 @@
 //! The proof that a list of eigenvalues is complete, and the bound on each.
 //!
 //! The list holds k orthonormal vectors with small residuals, so there are k eigenvalues near it
-//! (Kahan 1967). An eigenvalue count just above the last one that gives k proves that there are no
-//! more: the list is complete.
+//! (Kahan 1967). An eigenvalue count above the reach of the last one that gives k proves that there
+//! are no more: the list is complete.
 
 /// The result of the eigenvalue counts above a list of eigenvalues.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +43,29 @@ pub(crate) fn verify(
         check = CountCheck::Disagrees { count, shift };
     }
     check
+}
+
+/// The margins, widest first, of shifts above all eigenvalues of a list, the last of which may be
+/// this far above its computed value, relative to it.
+pub(super) fn beyond(reach: f64, margins: &[f64]) -> &[f64] {
+    &margins[..margins.partition_point(|margin| *margin > reach)]
+}
+
+/// For each k the norm of the residual matrix of the first k orthonormal vectors, relative to θ_k:
+/// k eigenvalues θ are within this of the computed ones (Kahan 1967). The Frobenius norm is an upper
+/// bound of the spectral norm.
+pub(super) fn residual_norms(thetas: &[f64], residuals: &[Residual]) -> impl Iterator<Item = f64> {
+    let vectors = thetas.iter().zip(residuals);
+    vectors.scan(0.0_f64, |norm, (theta, residual)| {
+        *norm = norm.hypot(residual.value() * theta);
+        Some(*norm / theta)
+    })
+}
+
+/// How far an eigenvalue λ = 1/θ may be above its computed value, relative to it, if θ may be this
+/// far below its own.
+pub(super) fn reach(of_theta: f64) -> f64 {
+    of_theta / (1.0 - of_theta)
 }
 
 /// A relative residual ρ of a vector u with eigenvalue λ = 1/θ.
@@ -101,4 +124,24 @@ pub(super) fn residual_bound(
 pub(super) fn rounding(eigenvalues: &[f64], index: usize, size: usize, cancellation: f64) -> f64 {
     let eta = (size as f64).sqrt() * f64::EPSILON;
     eta * ((eigenvalues[index] / eigenvalues[0]).sqrt() + cancellation)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Residual, beyond, reach, residual_norms};
+
+    #[test]
+    fn a_count_within_the_residuals_proves_nothing() {
+        // A residual of 1e-15 θ₁ is 1e-5 of θ₂, which is 1e10 times smaller; with its own 1e-5
+        // that is √2·1e-5, so a count at 1e-6 or 1e-9 above λ₂ may miss λ₂ itself.
+        let residuals = [Residual::OfTheta(1e-15), Residual::OfTheta(1e-5)];
+        let norms: Vec<f64> = residual_norms(&[1.0, 1e-10], &residuals).collect();
+        assert!((norms[0] - 1e-15).abs() < 1e-30);
+        assert!((norms[1] - 2.0_f64.sqrt() * 1e-5).abs() < 1e-19);
+        let margins = [1e-2, 1e-4, 1e-6, 1e-9];
+        assert_eq!(beyond(reach(norms[1]), &margins), &[1e-2, 1e-4]);
+        assert_eq!(beyond(reach(norms[0]), &margins), &margins);
+        // θ half as large is λ twice as large.
+        assert_eq!(reach(0.5), 1.0);
+    }
 }

@@ -28,7 +28,8 @@ const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
 /// The relative distances for a list that was found from guesses.
 const WIDE_MARGINS: [f64; 4] = [0.1, 1e-2, 1e-3, 1e-4];
 
-/// With a larger relative residual the rounding errors of the lowest mode are larger than the mode.
+/// With larger residuals relative to the mode the rounding errors of the lowest mode are larger than
+/// the mode. It is below the widest of [`MARGINS`], so one of them is beyond the residuals.
 const MAX_RESIDUAL: f64 = 1e-4;
 
 /// If cancellation in the stiffness causes a larger relative error, the tower is refused: soil or
@@ -178,11 +179,18 @@ impl EigenWorkspace {
         wanted: usize,
         restarts: usize,
     ) -> Result<Option<usize>, EigenError> {
-        if let Some(resolved) = self.residuals.iter().position(|r| r.value() > MAX_RESIDUAL) {
-            return Err(EigenError::Unresolved { wanted, resolved });
+        let mut norm = 0.0;
+        let norms = certificate::residual_norms(&self.thetas, &self.residuals);
+        for (resolved, of_first) in norms.enumerate() {
+            if of_first > MAX_RESIDUAL {
+                return Err(EigenError::Unresolved { wanted, resolved });
+            }
+            norm = of_first;
         }
         let last = self.lambdas[wanted - 1];
-        match verify(last, wanted, &MARGINS, |shift| pencil.count_below(shift)) {
+        // Nearer to the last one a count may leave it out and take another one in.
+        let margins = certificate::beyond(certificate::reach(norm), &MARGINS);
+        match verify(last, wanted, margins, |shift| pencil.count_below(shift)) {
             CountCheck::Complete { margin } => self.bound(pencil, margin).map(|()| None),
             CountCheck::Disagrees { count, shift }
                 if restarts == MAX_RESTARTS || count <= wanted =>

@@ -10,7 +10,7 @@
 //! factorization of K − σM counts the eigenvalues below σ; with disjoint intervals ρ ± r this
 //! proves that the list is complete.
 
-use super::certificate::{CountCheck, verify};
+use super::certificate::{CountCheck, beyond, verify};
 use super::pencil::ShiftInvert;
 use super::vector::scale;
 
@@ -89,11 +89,12 @@ pub(crate) fn refine(
         workspace.residuals[index] = refined.residual / refined.lambda;
     }
     let last = workspace.lambdas[wanted - 1];
+    let margins = beyond(workspace.residuals[wanted - 1], &super::MARGINS);
     let count = |shift| pencil.count_below(shift);
     end > 0.0
         && (is_complete
             || matches!(
-                verify(last, wanted, &super::MARGINS, count),
+                verify(last, wanted, margins, count),
                 CountCheck::Complete { .. }
             ))
 }
