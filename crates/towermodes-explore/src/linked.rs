@@ -102,7 +102,7 @@ impl Linked {
         &self.numbers
     }
 
-    /// The input values of a slider in a few words: "height of the joint and of point mass 1".
+    /// The input values of a slider in a few words: "height of the station and of point mass 1".
     pub(crate) fn meaning(&self, leader: Parameter) -> String {
         let moved = self.moved_by(leader);
         let [_, others @ ..] = &moved[..] else {
@@ -118,7 +118,7 @@ impl Linked {
         });
         let more: String = masses.chain(layers).collect();
         match is_station_height(&leader) {
-            true => format!("height of the joint{more}"),
+            true => format!("height of the station{more}"),
             false => format!("{}{more}", leader.meaning()),
         }
     }
@@ -200,7 +200,7 @@ mod tests {
         let meaning = |name| linked.meaning(parameter(name));
         assert_eq!(
             meaning("stations[1].height"),
-            "height of the joint and of point mass 1"
+            "height of the station and of point mass 1"
         );
         assert!(meaning("ground.layer[0].bottom").ends_with(", top of layer 2"));
         assert_eq!(meaning("stations[0].wall"), "wall thickness");

@@ -16,6 +16,16 @@ test("other numbers are multiplied from where they are", () => {
   assert.deepEqual(baseOf([0, 0], [0, 1]), { values: [0, 1], factor: 1 });
 });
 
+test("a factor that the program refuses stays the factor, and another one multiplies the file's numbers", () => {
+  const ofFile = [0.06, 0, 0.019];
+  for (const refused of [0, -2]) {
+    const base = baseOf(ofFile, multiplied({ values: ofFile, factor: 1 }, refused));
+    assert.deepEqual(base, { values: ofFile, factor: refused });
+    assert.ok(base.values.some(isMultiplied));
+    assert.deepEqual(multiplied(base, 1), ofFile);
+  }
+});
+
 test("what is rigid stays rigid, whatever the factor", () => {
   const ofFile = [Infinity, 2e11, 0];
   const present = multiplied({ values: ofFile, factor: 1 }, 1.2);

@@ -15,7 +15,7 @@ export function baseOf(ofFile: number[], present: number[]): Base {
   const factor = at < 0 ? 1 : (present[at] ?? 0) / (ofFile[at] ?? 1);
   const isMultiple = ofFile.every((value, index) =>
     isMultiplied(value) ? isClose(value * factor, present[index] ?? NaN) : value === present[index]);
-  return isMultiple && factor > 0 ? { values: ofFile, factor: tidy(factor) } : { values: present, factor: 1 };
+  return isMultiple ? { values: ofFile, factor: tidy(factor) } : { values: present, factor: 1 };
 }
 
 export function multiplied(base: Base, factor: number): number[] {
