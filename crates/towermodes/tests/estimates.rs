@@ -7,8 +7,8 @@
 use crate::towers;
 
 use towermodes::{
-    AddedMassRow, Method, Options, Planes, Properties, PropertyStation, Rna, Shear, SoilRow,
-    SoilStiffness, Solution, Station, TowerDescription, Warning,
+    AddedMassRow, Family, Method, Options, Planes, Properties, PropertyStation, Rna, Shear,
+    SoilRow, SoilStiffness, Solution, Station, TowerDescription, Warning,
 };
 use towermodes_testing::{changed, parts, rna, stations, with};
 use towers::{assert_close, reference, reference_table, solved};
@@ -311,6 +311,39 @@ fn high_modes_of_few_segments_are_not_claimed_to_be_known() {
         let solution = case.assert_holds(&by(method, Some(20), 60));
         let is_told = |warning: &Warning| matches!(warning, Warning::Unresolved { .. });
         assert!(solution.warnings.iter().any(is_told), "{}", method.name());
+    }
+}
+
+/// With one element of degree 2 the fourth mode is torsion, which is the sixth with degree 4: the
+/// list with which it is compared must be longer. Uniform tube with a point mass: f = √(G/ρ)/4L
+/// in torsion; in axial motion x tan x = tube/mass with x = 2πf L √(ρ/E).
+#[test]
+fn the_error_of_a_given_degree_is_no_whole_frequency() {
+    let (length_m, mass_kg) = (80.0, 200e3);
+    let description = TowerDescription {
+        stations: stations(&[(0.0, 4.0, 0.03), (length_m, 4.0, 0.03)]),
+        rna: Rna::point(mass_kg),
+        ..towers::reference()
+    };
+    let of_degree_two = Options {
+        degree: Some(2),
+        ..by(Method::Spectral, Some(1), 4)
+    };
+    let material = description.materials[0];
+    let exact = solved(&description, &by(Method::Spectral, None, 8));
+    let torsion_hz =
+        (material.shear_modulus_pa / material.density_kg_per_m3).sqrt() / (4.0 * length_m);
+    for mode in &solved(&description, &of_degree_two).modes[2..] {
+        let true_hz = exact
+            .mode(mode.family, mode.order)
+            .expect("it is among the lowest eight")
+            .frequency_hz;
+        if mode.family == Family::Torsion {
+            assert_close(true_hz, torsion_hz, 1e-9, "torsion");
+        }
+        let error_hz = mode.frequency_hz - true_hz;
+        let ratio = mode.error_hz() / error_hz;
+        assert!((0.9..1.1).contains(&ratio), "{}: {ratio}", mode.label());
     }
 }
 

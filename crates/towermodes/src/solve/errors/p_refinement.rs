@@ -20,6 +20,9 @@ use crate::tower::Tower;
 const PATIENCE: f64 = 3.0;
 const PATIENCE_S: f64 = 1.0;
 
+/// Limit of the modes sought on the finer mesh, as a multiple of those requested.
+const LONGEST: usize = 16;
+
 /// A cut that is solved, with the change from a coarser or to a finer one, Hz a mode.
 struct Solved {
     cut: Cut,
@@ -80,7 +83,7 @@ fn refine(
 ) -> Result<(Solved, Statistics), SolveError> {
     let mut statistics = Statistics::default();
     let first = first_cut(tower, options)?;
-    let solve = |cut: &Cut| {
+    let solve = |cut: &Cut, options: &Options| {
         let found = solve_cut(tower, cut, options, None, workspace)?;
         statistics += workspace.spectrum.statistics;
         Ok::<_, SolveError>(found)
@@ -99,14 +102,19 @@ fn refine(
 fn fix(
     cut: Cut,
     options: &Options,
-    mut solve: impl FnMut(&Cut) -> Result<Vec<Found>, SolveError>,
+    mut solve: impl FnMut(&Cut, &Options) -> Result<Vec<Found>, SolveError>,
 ) -> Result<Solved, SolveError> {
-    let finer = solve(&Cut {
+    let finer = Cut {
         degree: cut.degree + STEP,
         ..cut.clone()
-    })?;
-    let found = solve(&cut)?;
-    let changes_hz = changes(&found[..options.modes], &finer);
+    };
+    let mut on_finer = solve(&finer, options)?;
+    let mut found = solve(&cut, options)?;
+    if is_any_missing(&found[..options.modes], &on_finer) {
+        on_finer = solve_further(&finer, options, &found, on_finer, &mut solve);
+        found = solve(&cut, options)?;
+    }
+    let changes_hz = changes(&found[..options.modes], &on_finer);
     Ok(Solved {
         cut,
         found,
@@ -114,20 +122,43 @@ fn fix(
     })
 }
 
+/// The list of a finer cut, made longer until it has the modes of `found`: modes that the degree
+/// hardly changes can be far up in it.
+fn solve_further(
+    finer: &Cut,
+    options: &Options,
+    found: &[Found],
+    mut on_finer: Vec<Found>,
+    solve: &mut impl FnMut(&Cut, &Options) -> Result<Vec<Found>, SolveError>,
+) -> Vec<Found> {
+    let mut longer = options.clone();
+    while is_any_missing(&found[..options.modes], &on_finer)
+        && longer.modes < LONGEST * options.modes
+    {
+        longer.modes *= 2;
+        // The model may have fewer modes; then the list stays as it is.
+        match solve(finer, &longer) {
+            Ok(more) => on_finer = more,
+            Err(_) => break,
+        }
+    }
+    on_finer
+}
+
 /// Increases the degree until the modes requested have converged.
 fn raise(
     first: Cut,
     options: &Options,
     seconds: impl Fn(&Cut) -> f64,
-    mut solve: impl FnMut(&Cut) -> Result<Vec<Found>, SolveError>,
+    mut solve: impl FnMut(&Cut, &Options) -> Result<Vec<Found>, SolveError>,
 ) -> Result<Solved, SolveError> {
     let mut cut = first;
-    let mut found = solve(&cut)?;
+    let mut found = solve(&cut, options)?;
     let first_two_s = seconds(&cut) + seconds(&finer(cut.clone(), options));
     let mut left_s = PATIENCE_S + PATIENCE * first_two_s;
     loop {
         cut = finer(cut, options);
-        let solved = solve(&cut)?;
+        let solved = solve(&cut, options)?;
         let changes_hz = changes(&solved[..options.modes], &found);
         found = solved;
         left_s -= seconds(&finer(cut.clone(), options));
@@ -145,11 +176,20 @@ fn raise(
 /// missing there.
 fn changes(modes: &[Found], others: &[Found]) -> Vec<f64> {
     let change = |found: &Found| {
-        let other = others.iter().find(|other| other.key == found.key);
+        let other = partner(found, others);
         let other_hz = other.map_or(0.0, |other| other.eigenvalue.frequency_hz());
         (other_hz - found.eigenvalue.frequency_hz()).abs()
     };
     modes.iter().map(change).collect()
+}
+
+/// The same mode on another mesh.
+fn partner<'a>(found: &Found, others: &'a [Found]) -> Option<&'a Found> {
+    others.iter().find(|other| other.key == found.key)
+}
+
+fn is_any_missing(modes: &[Found], others: &[Found]) -> bool {
+    modes.iter().any(|found| partner(found, others).is_none())
 }
 
 /// Whether no change exceeds the tolerance, or the error of the eigenvalues.

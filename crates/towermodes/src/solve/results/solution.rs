@@ -12,6 +12,9 @@ use crate::modes::{
 use crate::space::SpatialMatrix;
 use crate::tower::{Motion, Warning};
 
+/// With a larger error relative to the frequency a mode is not resolved.
+pub(super) const RESOLVED: f64 = 0.02;
+
 /// A natural mode of a tower, one of [`Solution::modes`].
 ///
 /// # Example
@@ -172,6 +175,13 @@ impl Mode {
     /// The total error, Hz: discretization error plus error of the eigenvalue computation.
     pub fn error_hz(&self) -> f64 {
         self.discretization_error_hz + self.algebraic_error_hz
+    }
+
+    /// Whether the total error is at most 2 % of the frequency; if not, the mode is one of the
+    /// discretized model and may not be one of the tower.
+    pub fn is_resolved(&self) -> bool {
+        // A motion without stiffness has frequency 0, and no error is small relative to it.
+        self.frequency_hz == 0.0 || self.error_hz() <= RESOLVED * self.frequency_hz
     }
 
     /// Modal mass, kg; none for torsion and yaw.
