@@ -151,7 +151,7 @@ impl Answer {
             values: all.map(|one| one.value(description)).collect(),
             facts: facts(tower, solution),
             modes: solution.modes.iter().map(of_mode).collect(),
-            certificate: completeness(&solution.certificate, solution.modes.len()),
+            certificate: completeness(solution),
             method: method(solution, file),
             warnings: warnings.map(|one| Remark::new(one, solved)).collect(),
             resonance: solved.assessment.as_ref().map(checked),

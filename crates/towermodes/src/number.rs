@@ -1,7 +1,7 @@
 //! How numbers are written in every text that a person reads.
 //!
 //! [`Plain`] and [`Rounded`] write values of the input, [`digits`] and [`four_digits`] computed
-//! values, [`with_error`] frequencies, [`percent`] fractions. All of them write small and large
+//! values, [`end_of_range`] proved ones, [`with_error`] frequencies, [`percent`] fractions. All of them write small and large
 //! numbers with an exponent. Files that a program reads back have all digits; they do not use this
 //! module.
 
@@ -137,6 +137,38 @@ pub fn four_digits(value: f64) -> String {
     digits(value, 4)
 }
 
+/// The end of a range below which something is proved up to `limit`: rounded down, never up, to the
+/// fewest significant digits that keep it above `last`, the last value in the range; at least
+/// `count`.
+///
+/// # Example
+/// ```
+/// use towermodes::number::end_of_range;
+///
+/// assert_eq!(end_of_range(0.320_69, 0.3205, 4), "0.3206");
+/// assert_eq!(end_of_range(0.320_669_7, 0.320_628_0, 4), "0.32066");
+/// ```
+#[must_use]
+pub fn end_of_range(limit: f64, last: f64, count: usize) -> String {
+    let is_within = |shown: &String| {
+        let shown = shown.parse::<f64>();
+        shown.is_ok_and(|shown| last < shown && shown <= limit)
+    };
+    let mut ends = (count..ALL_DIGITS).map(|count| rounded_down(limit, count));
+    ends.find(is_within)
+        .unwrap_or_else(|| digits(limit, ALL_DIGITS))
+}
+
+/// A positive value with `count` significant digits, as [`digits`], but rounded down.
+fn rounded_down(value: f64, count: usize) -> String {
+    let nearest = digits(value, count);
+    if nearest.parse().is_ok_and(|nearest: f64| nearest <= value) {
+        return nearest;
+    }
+    let last_digit = 10_f64.powf(value.log10().floor() + 1.0 - count as f64);
+    digits(value - last_digit, count)
+}
+
 /// A number with at most `decimals` digits after the point and without zeros at its end.
 ///
 /// # Example
@@ -195,7 +227,9 @@ pub fn percent(fraction: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Apart, Plain, Rounded, digits, fixed, four_digits, percent, with_error};
+    use super::{
+        Apart, Plain, Rounded, digits, end_of_range, fixed, four_digits, percent, with_error,
+    };
 
     #[test]
     fn four_digits_whatever_the_size() {
@@ -210,6 +244,23 @@ mod tests {
         let shown = [9.999_96, 999_999.4, -26_054_943.0, f64::NAN].map(four_digits);
         assert_eq!(shown, ["10.00", "1.000e6", "-2.605e7", "NaN"]);
         assert_eq!(digits(0.046_871, 2), "0.047");
+    }
+
+    #[test]
+    fn the_end_of_a_range_is_within_it() {
+        let ends = [
+            // Enough digits, but rounded up they would be beyond the limit.
+            (8.32367, 8.2),
+            (0.999_96, 0.9),
+            // A narrow gap, on one side of the fourth digit and across it.
+            (0.320_669_7, 0.320_628_0),
+            (0.320_600_1, 0.320_599_9),
+            (1234.567_891, 1234.567_89),
+            (0.0, 0.0),
+        ];
+        let shown = ends.map(|(limit, last)| end_of_range(limit, last, 4));
+        let expected = ["8.323", "0.9999", "0.32066", "0.3206", "1234.567891", "0"];
+        assert_eq!(shown, expected);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use towermodes::number::{four_digits, with_error};
 use towermodes::{Blade, BladeMode, BladeSolution};
-use towermodes_report::wording::{blade_mode_shape, completeness, counted};
+use towermodes_report::wording::{blade_mode_shape, completeness_of_blade, counted};
 
 use super::text::{aligned, name_line, text_table};
 
@@ -23,7 +23,7 @@ pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
         description.tip_radius_m,
         rounded(60.0 * rotor_hz),
         counted(solution.elements, "element"),
-        completeness(&solution.certificate, solution.modes.len()),
+        completeness_of_blade(solution),
     )
 }
 

@@ -140,7 +140,7 @@ fn about(file: &SolvedFile<'_>) -> [String; 7] {
 /// The end of the complete list: if the list ends inside a pair of equal frequencies, one more mode
 /// is below.
 fn complete_below(solution: &Solution) -> String {
-    let below_hz = four_digits(solution.certificate.below_hz);
+    let below_hz = complete_below_hz(solution);
     match solution.certificate.count > solution.modes.len() {
         true => format!("{below_hz} {CUTS_A_PAIR}"),
         false => below_hz,

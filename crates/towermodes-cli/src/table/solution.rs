@@ -77,7 +77,10 @@ pub fn mode_rows(solution: &Solution) -> Vec<[String; 5]> {
     let row = |(mode, (frequency, error)): (&Mode, (String, String))| {
         [
             mode.number.to_string(),
-            mode_shape(mode),
+            match mode.is_resolved() {
+                true => mode_shape(mode),
+                false => format!("{}, not resolved", mode_shape(mode)),
+            },
             frequency,
             error,
             period(mode),
@@ -117,7 +120,7 @@ fn summary(tower: &Tower, solution: &Solution) -> String {
         rna(tower),
         solution.method.name(),
         mesh(solution.method, solution.segments, solution.degree),
-        completeness(&solution.certificate, solution.modes.len()),
+        completeness(solution),
     )
 }
 

@@ -1,7 +1,7 @@
 //! The modes of a substructure as text.
 
 use towermodes::frame::FrameMode;
-use towermodes::number::{four_digits, with_error};
+use towermodes::number::{end_of_range, with_error};
 use towermodes_files::{LargestMotion, SolvedSubstructure};
 use towermodes_report::wording::counted;
 
@@ -26,7 +26,7 @@ pub fn substructure(solved: &SolvedSubstructure<'_>) -> String {
         tonnes(frame.mass_kg()),
         counted(description.joints.len(), "joint"),
         counted(description.members.len(), "member"),
-        four_digits(solution.complete_below_hz),
+        end_of_range(solution.complete_below_hz, 0.0, 4),
     )
 }
 

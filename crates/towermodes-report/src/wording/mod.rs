@@ -12,7 +12,9 @@ mod text;
 mod turbine;
 
 pub use balance::static_balance;
-pub use completeness::{completeness, proof_of_completeness};
+pub use completeness::{
+    complete_below_hz, completeness, completeness_of_blade, proof_of_completeness,
+};
 pub use mode::{blade_mode_shape, coupled_shape, mode_shape};
 pub use model::{
     buckling_load_factor, compared_segments, computed_by, levels, mesh, structure_mass,

@@ -75,7 +75,8 @@ pub enum SolveError {
     NoModes,
     /// More modes than degrees of freedom.
     #[error(
-        "{modes} modes are requested, but the model has only {available} degrees of freedom ({segments} segments)"
+        "{modes} modes are requested, but the model has only {available} degrees of freedom ({segments} segment{})",
+        if *.segments == 1 { "" } else { "s" }
     )]
     TooManyModes {
         /// The number requested.

@@ -16,7 +16,7 @@ use super::parts::missing::MissingParts;
 use crate::inputs::Quantity;
 use crate::method::Method;
 use crate::mooring::{MooringItem, MooringWarning};
-use crate::number::{Apart, Plain, Rounded, significant};
+use crate::number::{Apart, Plain, Rounded, end_of_range, significant};
 
 /// A fact that a user should check; the computation continues.
 ///
@@ -586,10 +586,12 @@ pub enum Warning {
     /// The number of modes below the end of the list is different on another mesh, or for the
     /// extrapolated frequencies.
     #[error(
-        "the list of modes may change with more segments: the errors are larger than the gap at its upper end, {:.4} Hz",
-        Plain(*.below_hz)
+        "the list of modes may change with more segments: the errors are larger than the gap at its upper end, {} Hz",
+        end_of_range(*.below_hz, *.last_hz, 4)
     )]
     UncertainEnd {
+        /// The frequency of the last mode, Hz.
+        last_hz: f64,
         /// Where the list was certified to end, Hz.
         below_hz: f64,
     },

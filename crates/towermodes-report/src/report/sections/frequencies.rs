@@ -26,10 +26,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         paragraph(errors(solution)),
         table(of_errors(solution)),
         Block::Heading("Completeness".to_owned()),
-        paragraph(proof_of_completeness(
-            &solution.certificate,
-            solution.modes.len(),
-        )),
+        paragraph(proof_of_completeness(solution)),
         Block::Heading("Energy".to_owned()),
         paragraph(names(content)),
         table(energy(solution)),
@@ -203,14 +200,18 @@ fn from_reference(solution: &Solution) -> Option<String> {
 
 /// The rule that names a mode.
 fn names(content: &ReportContent) -> String {
-    let text = "Fractions of the kinetic and of the strain energy of a mode in each motion.";
-    if content.tower.base().floats {
-        return format!(
-            "{text} Surge, sway, heave, roll, pitch and yaw are modes in which the whole tower moves as one rigid body, named after the largest \
-             rigid-body motion; any other mode is named after the motion with the largest mean of both fractions."
-        );
-    }
-    format!("{text} A mode is named after the motion with the largest mean of both fractions.")
+    let shares = match content.tower.base().floats {
+        true => {
+            " Surge, sway, heave, roll, pitch and yaw are motions of the whole tower as one rigid body. The shares of a mode are fractions of its kinetic energy: \
+             those of the rigid-body motions, and those of the other motions in the rest."
+        }
+        false => " The share of a motion in a mode is the mean of both fractions.",
+    };
+    format!(
+        "Fractions of the kinetic and of the strain energy of a mode in each motion.{shares} A mode is named after the motion with the largest arrears: the sum of \
+         its shares in this mode and in all lower ones, minus the number of lower modes that are named after it. A motion with less than a quarter of the largest \
+         share in the mode gives no name."
+    )
 }
 
 fn of_modes(solution: &Solution) -> Table {

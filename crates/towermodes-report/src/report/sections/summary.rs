@@ -195,8 +195,8 @@ fn verification(content: &ReportContent) -> Statement {
             Some(Err(_)) | None => "Numerical verification",
         },
         text: format!(
-            "Mode list {}. The largest numerical error of a frequency is {} %. The uncertainty of the input is not included. {messages}",
-            completeness(&solution.certificate, solution.modes.len()),
+            "Mode list {}. The largest estimated numerical error of a frequency is {} %. The uncertainty of the input is not included. {messages}",
+            completeness(solution),
             digits(100.0 * largest, 2),
         ),
         verdict: None,

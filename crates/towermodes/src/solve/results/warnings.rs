@@ -3,13 +3,10 @@
 use super::super::on_mesh::one_mesh::Described;
 use super::super::on_mesh::stability::VERGE;
 use super::super::request::options::Options;
-use super::solution::{Certificate, Mode};
+use super::solution::{Certificate, Mode, RESOLVED};
 use crate::elements::Mesh;
 use crate::tower::Tower;
 use crate::{Method, Warning};
-
-/// With a larger error relative to the frequency a mode is not resolved.
-const RESOLVED: f64 = 0.02;
 
 /// Larger errors relative to the frequency, of modes that do not converge regularly, cause a
 /// warning.
@@ -70,10 +67,11 @@ pub(crate) fn uncertain_end(
     certificate: &Certificate,
     count_elsewhere: usize,
 ) -> Option<Warning> {
-    let below_hz = certificate.below_hz;
     let extrapolated_hz = modes.iter().map(|mode| mode.extrapolated_hz);
-    is_uncertain_end(extrapolated_hz, certificate, count_elsewhere)
-        .then_some(Warning::UncertainEnd { below_hz })
+    is_uncertain_end(extrapolated_hz, certificate, count_elsewhere).then(|| Warning::UncertainEnd {
+        last_hz: modes.last().map_or(0.0, |mode| mode.frequency_hz),
+        below_hz: certificate.below_hz,
+    })
 }
 
 /// Whether another mesh has another count of modes below the end of the list than certified, or a
@@ -195,9 +193,7 @@ pub(crate) fn irregular(modes: &[Mode], places: &[usize]) -> Option<Warning> {
 
 fn unresolved(modes: &[Mode]) -> Option<Warning> {
     let relative = |m: &Mode| m.error_hz() / m.frequency_hz;
-    // A motion without stiffness has frequency 0, and no error is small relative to it.
-    let moving = modes.iter().filter(|m| m.frequency_hz > 0.0);
-    let unresolved: Vec<&Mode> = moving.filter(|m| relative(m) > RESOLVED).collect();
+    let unresolved: Vec<&Mode> = modes.iter().filter(|mode| !mode.is_resolved()).collect();
     Some(Warning::Unresolved {
         number: unresolved.first()?.number,
         others: unresolved.len() - 1,
