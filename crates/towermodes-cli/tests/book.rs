@@ -74,6 +74,53 @@ fn every_link_leads_somewhere() {
     }
 }
 
+/// The last author and the year of each "(Author & Author 1968)" or "Author et al. (1968)".
+fn cited(text: &str) -> Vec<(String, String)> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let pairs = words.windows(4).filter_map(|four| {
+        let after_year = four[3].trim_start_matches('(');
+        let (year, rest) = after_year.split_at_checked(4)?;
+        let is_year = year
+            .parse()
+            .is_ok_and(|year: u32| (1800..2100).contains(&year));
+        let is_whole = rest.is_empty() || rest.starts_with([')', ',', ';', ':', '.']);
+        let author = match four[2] {
+            "al." => four[0],
+            author => author,
+        };
+        let author = author.trim_start_matches('(').trim_end_matches(',');
+        let author = author.strip_suffix("'s").unwrap_or(author);
+        let is_name =
+            author.starts_with(char::is_uppercase) && author.chars().all(char::is_alphabetic);
+        (is_year && is_whole && is_name).then(|| (author.to_owned(), year.to_owned()))
+    });
+    pairs.collect()
+}
+
+#[test]
+fn every_cited_work_is_on_the_page_of_sources() {
+    let sources = fs::read_to_string(root().join("book/src/theory/sources.md")).expect("sources");
+    let works: Vec<&str> = sources.split("\n- ").collect();
+    let pages = pages()
+        .into_iter()
+        .filter(|page| page.name.starts_with("book/"));
+    let mut count = 0;
+    for page in pages.filter(|page| page.name != REFERENCE && !page.name.ends_with("sources.md")) {
+        for (author, year) in cited(&page.text) {
+            let is_listed = works
+                .iter()
+                .any(|work| work.contains(&author) && work.contains(&year));
+            assert!(
+                is_listed,
+                "{}: {author} {year} is not on the page of sources",
+                page.name
+            );
+            count += 1;
+        }
+    }
+    assert!(count > 40, "only {count} citations");
+}
+
 #[test]
 fn every_schema_is_on_a_page() {
     let path = root().join("book/src/reference/schemas.md");

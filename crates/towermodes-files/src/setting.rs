@@ -139,6 +139,9 @@ fn remedy(value: &str) -> String {
             format!("write {whole}, or {decimal} if the comma is a decimal comma")
         }
         (Ok(_), Some(_)) => format!("write a decimal point: {decimal}"),
+        _ if matches!(value, "true" | "false") || value.starts_with(['"', '[']) => {
+            "values that are not numbers are changed in the tower file".to_owned()
+        }
         _ => "write only the number, in the unit of the tower file".to_owned(),
     }
 }

@@ -78,6 +78,9 @@ fn texts_that_are_no_settings() {
         &["rna.mass=360 t"],
         "write only the number, in the unit of the tower file",
     );
+    let words = "values that are not numbers are changed in the tower file";
+    refused(&["tower.shear=true"], words);
+    refused(&["tower.stations=[[0, 4, 0.03]]"], words);
     refused(&["rna.mass=0,5"], "write a decimal point: 0.5");
     let words = "write 350000, or 350.000 if the comma is a decimal comma";
     refused(&["rna.mass=350,000"], words);

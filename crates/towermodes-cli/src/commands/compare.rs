@@ -20,7 +20,7 @@ const EXAMPLES: &str = "Examples:
   towermodes compare tower.toml --segments 20,40,60 --methods rmje,cardanic,bmodes
   towermodes compare tower.toml --no-rotary-inertia --format csv
 
-Differences are relative differences from the reference solution (method spectral, accurate to about ten digits). The bmodes element has neither rotary inertia nor shear deformation; --no-rotary-inertia removes the rotary inertia from the other methods too, but not the shear deformation.";
+Differences are relative differences from the reference solution (method spectral, accurate to about ten digits). The bmodes element has neither rotary inertia nor shear deformation; --no-rotary-inertia removes the rotary inertia from the other methods too, but not the shear deformation. Other commands have other default numbers of segments: solve 100, sweep 20.";
 
 /// Default numbers of segments or elements.
 const DEFAULT_SEGMENTS: [usize; 1] = [60];

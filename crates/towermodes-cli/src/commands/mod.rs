@@ -32,8 +32,8 @@ use crate::args::Deferred;
 use crate::failure::Failure;
 use crate::recipe;
 
-/// Natural frequencies and mode shapes of wind turbine towers, with error estimates and a proof
-/// that no mode is missing.
+/// Natural frequencies and mode shapes of wind turbine towers, with error estimates and a proof, in
+/// floating-point arithmetic, that no mode of the model is missing.
 #[derive(Debug, Parser)]
 #[command(
     name = "towermodes",

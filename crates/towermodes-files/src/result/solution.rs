@@ -20,6 +20,8 @@ use crate::input::Note;
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct SolutionDocument<'a> {
+    /// The version of the program.
+    version: &'static str,
     /// The method, by its name on the command line.
     method: Method,
     /// Number of segments, or of elements.
@@ -142,6 +144,7 @@ impl<'a> SolutionDocument<'a> {
         let warnings = solution.warnings.iter().map(ToString::to_string);
         let foundation_head = FoundationHead::of(tower);
         Self {
+            version: env!("CARGO_PKG_VERSION"),
             method: solution.method,
             segments: solution.segments,
             degree: solution.degree,

@@ -10,7 +10,8 @@
 //! | soil, foundation, wires | k v² | v² |
 //! | lever to what is above with the load L | | 2 θ L |
 //!
-//! D(z) is how far a mass at z descends by the rotations below it: Σ θ² dz + 2 δ θ in each joint.
+//! D(z) is twice the descent of a mass at z by the rotations below it: Σ θ² dz + 2 δ θ in each
+//! joint.
 
 use super::numbers::{MassFactors, Numbers};
 use super::segments::{Joint, MASS_POINTS, Segment, Segments};
