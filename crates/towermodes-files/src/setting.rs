@@ -139,11 +139,8 @@ fn remedy(value: &str) -> String {
             format!("write {whole}, or {decimal} if the comma is a decimal comma")
         }
         (Ok(_), Some(_)) => format!("write a decimal point: {decimal}"),
-        _ if value.starts_with(['"', '[']) || matches!(value, "true" | "false") => {
+        _ if matches!(value, "true" | "false") || value.starts_with(['"', '[']) => {
             "values that are not numbers are changed in the tower file".to_owned()
-        }
-        _ if is_name(value) => {
-            "a setting changes a number; a model, a type or a formula is changed in the tower file: save a copy of the file for each one and compare the results".to_owned()
         }
         _ => "write only the number, in the unit of the tower file".to_owned(),
     }

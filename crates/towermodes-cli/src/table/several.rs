@@ -5,8 +5,7 @@ use std::path::Path;
 use towermodes::number::with_error;
 use towermodes::{Family, Mode, Solution, printable};
 use towermodes_files::SolvedFile;
-use towermodes_report::wording::complete_below_hz;
-use towermodes_report::wording::mesh;
+use towermodes_report::wording::{complete_below_hz, mesh};
 
 use super::coupled::coupled_modes;
 use super::text::{GAP, align_right, aligned, plain_table, wrapped};
