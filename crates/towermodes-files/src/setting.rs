@@ -139,20 +139,12 @@ fn remedy(value: &str) -> String {
             format!("write {whole}, or {decimal} if the comma is a decimal comma")
         }
         (Ok(_), Some(_)) => format!("write a decimal point: {decimal}"),
-        _ if matches!(value, "true" | "false") || value.starts_with(['"', '[']) => {
+        // A name of a model, a flag, a quoted text or a list.
+        _ if value.starts_with(|c: char| c.is_alphabetic() || c == '"' || c == '[') => {
             "values that are not numbers are changed in the tower file".to_owned()
         }
         _ => "write only the number, in the unit of the tower file".to_owned(),
     }
-}
-
-/// Whether a text is a name, such as that of a model.
-fn is_name(value: &str) -> bool {
-    let mut letters = value.bytes();
-    let begins = letters
-        .next()
-        .is_some_and(|byte| byte.is_ascii_alphabetic());
-    begins && letters.all(|byte| byte.is_ascii_alphanumeric() || byte == b'-' || byte == b'_')
 }
 
 impl TowerInput {

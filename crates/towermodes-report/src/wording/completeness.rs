@@ -1,4 +1,4 @@
-//! The certificate as text: an eigenvalue count proves that no mode is missing.
+//! The certificate in words: an eigenvalue count proves that no mode is missing.
 
 use towermodes::number::{digits, end_of_range, with_error};
 use towermodes::{BladeSolution, Certificate, Solution};
@@ -74,29 +74,8 @@ pub fn complete_below_hz(solution: &Solution) -> String {
     Proved::of(solution).below_hz(4)
 }
 
-/// The certificate in one line: "complete: exactly 8 modes below 8.323 Hz".
-///
-/// A list may end between two modes of equal frequency; then the line states it.
-pub fn completeness(solution: &Solution) -> String {
-    Proved::of(solution).in_one_line()
-}
-
-/// The certificate of the modes of a blade in one line.
-pub fn completeness_of_blade(solution: &BladeSolution) -> String {
-    let last = solution.modes.last();
-    let error_hz = last.map_or(0.0, |m| m.algebraic_error_hz + m.discretization_error_hz);
-    let last_hz = last.map_or(0.0, |mode| mode.frequency_hz);
-    let listed = solution.modes.len();
-    Proved::new(&solution.certificate, listed, last_hz, error_hz).in_one_line()
-}
-
-/// The frequency below which the list is complete, Hz.
-pub fn complete_below_hz(solution: &Solution) -> String {
-    Proved::of(solution).below_hz(4)
-}
-
-/// "outside 0.1639 to 0.1767 Hz", the interval that remains uncertain because of
-/// frequency-dependent added mass, with as many digits as its ends need.
+/// "outside 0.1639 to 0.1767 Hz", the interval that added mass by frequency leaves uncertain, with
+/// as many digits as its ends need.
 fn outside([from_hz, to_hz]: [f64; 2]) -> String {
     let shown = |count| [from_hz, to_hz].map(|end_hz| digits(end_hz, count));
     let mut ends = (4..16).map(shown);
