@@ -21,8 +21,8 @@ const POINTERS: [(&str, &str, &str); 2] = [
     ("/annex/objects/", "git-annex", "run `git annex get` for it"),
 ];
 
-/// The first bytes of workbooks of spreadsheets: of `xlsx` and `ods`, which are archives in ZIP, and
-/// of `xls`.
+/// The first bytes of workbooks of spreadsheets: of `xlsx` and `ods`, which are archives in ZIP,
+/// and of `xls`.
 const WORKBOOKS: [&[u8]; 2] = [b"PK\x03\x04", b"\xd0\xcf\x11\xe0"];
 
 /// The text of a file and its name.

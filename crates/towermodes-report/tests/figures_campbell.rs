@@ -135,7 +135,7 @@ fn the_window_of_soft_stiff_towers_is_named() {
         says(&figure, "soft-stiff")
             && says(
                 &figure,
-                "soft-stiff without the 5 % margin: 0.2123 to 0.3286 Hz"
+                "soft-stiff with 5 % margin kept: 0.2123 to 0.3286 Hz"
             )
     );
     campbell.rotor.lowest_rpm = 4.0;
@@ -238,7 +238,7 @@ fn many_excitations_are_drawn_and_more_are_counted() {
 #[test]
 fn marks_at_one_place_are_apart_and_counted() {
     let mut campbell = by_hand(vec![tower_line(1, 0.3), tower_line(2, 0.5)], vec![1, 3]);
-    let number = "number above a mark: coinciding crossings";
+    let number = "number above a mark: coinciding marks";
     campbell.margins = vec![margin(0, Verdict::Fail), margin(0, Verdict::Warn)];
     let figure = figures::campbell(&campbell);
     assert!(!says(&figure, number));

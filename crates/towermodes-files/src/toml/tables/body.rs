@@ -5,7 +5,7 @@ use towermodes::{Inertia, Place};
 use super::super::schema;
 use super::super::text::reading::Reading;
 use super::super::text::table::Table;
-use super::super::text::values::{Value, list, number, wrong_kind};
+use super::super::text::values::{Value, list, number};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// `[x, y, z]`; the hint gives the reference point.
@@ -35,10 +35,6 @@ pub(crate) fn inertia(
     reading: &mut Reading,
 ) -> Option<Inertia> {
     reading.remember(place, value.span());
-    if value.get_ref().is_array() {
-        let hint = "write { xx = ..., yy = ..., zz = ... }, in kg m2 about the centre of mass";
-        return reading.refuse(wrong_kind(value, "inertia", "a table").with_hint(hint));
-    }
     let table = Table::of(value, "inertia", &schema::INERTIA, reading)?;
     let entry = |key: &str| {
         let value = match required.contains(&key) {

@@ -77,6 +77,15 @@ impl<'a> Table<'a> {
             let hint = format!("write {}", table_with(&name, key, number));
             return reading.refuse(wrong_kind(value, &name, "a table").with_hint(hint));
         }
+        if is_list_of_numbers(value) && !name.starts_with('[') {
+            let keys: Vec<String> = known
+                .iter()
+                .take(3)
+                .map(|key| format!("{key} = ..."))
+                .collect();
+            let hint = format!("write {name} = {{ {} }}", keys.join(", "));
+            return reading.refuse(wrong_kind(value, &name, "a table").with_hint(hint));
+        }
         let mut table = Self::with_any_keys(value, name, reading)?;
         table.known = known;
         table.check_keys(elsewhere, reading);
@@ -280,6 +289,12 @@ fn as_number<'v>(value: &'v Value<'_>) -> Option<&'v str> {
         | DeValue::Array(_)
         | DeValue::Table(_) => None,
     }
+}
+
+/// Whether a list has only numbers, at least one.
+fn is_list_of_numbers(value: &Value<'_>) -> bool {
+    let list = value.get_ref().as_array();
+    list.is_some_and(|list| !list.is_empty() && list.iter().all(|one| as_number(one).is_some()))
 }
 
 /// The table that a number probably stands for: "[gravity] with acceleration = 9.81", "scour = {

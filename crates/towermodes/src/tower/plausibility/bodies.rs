@@ -16,8 +16,8 @@ const CENTRE: Usual = Usual::at_most(Quantity::CentreDistance, 25.0);
 const RNA_SHARE: Usual = Usual::at_least(Quantity::RnaShare, 0.01);
 /// A smaller point mass has no effect on a tower of [`LARGE_KG`]: its value is probably in t.
 const POINT_MASS: Usual = Usual::at_least(Quantity::PointMass, 10.0);
-/// A mass at a clamped base of at most this fraction of the mass of the tower is a base flange, which
-/// lists of masses contain; a larger one is probably at another height.
+/// A mass at a clamped base of at most this fraction of the mass of the tower is a base flange,
+/// which lists of masses contain; a larger one is probably at another height.
 const BASE_FLANGE: f64 = 0.05;
 /// The mass of a large tower, kg.
 const LARGE_KG: f64 = 20e3;
