@@ -135,6 +135,12 @@ fn steps_of_the_diameter_between_welded_cans() {
     );
     let (index, key) = (2, "diameter");
     assert_eq!(warning.place(), Some(Place::Station { index, key }));
+    // A tower on a monopile has another wall.
+    quiet(reference(), |t| {
+        cans(5.0)(t);
+        t.stations[0].wall_thickness_m = 0.06;
+        t.stations[1].wall_thickness_m = 0.06;
+    });
     // A mast of pipes in each other, a steel tower on one of concrete.
     quiet(reference(), |t| {
         t.stations = stations(&[

@@ -299,7 +299,7 @@ fn is_list_of_numbers(value: &Value<'_>) -> bool {
     list.is_some_and(|list| !list.is_empty() && list.iter().all(|one| as_number(one).is_some()))
 }
 
-/// The table that was probably meant by a number: "[gravity] with acceleration = 9.81", "scour = {
+/// The table that a number probably stands for: "[gravity] with acceleration = 9.81", "scour = {
 /// general = 8.0 }".
 fn table_with(name: &str, key: &str, number: &str) -> String {
     match name.starts_with('[') {

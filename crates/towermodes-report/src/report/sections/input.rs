@@ -59,10 +59,6 @@ fn overview(content: &ReportContent) -> Table {
             mass(tower.mass_kg()),
         ),
         (
-            "of this, point masses",
-            mass(tower.point_masses().iter().map(|one| one.mass_kg).sum()),
-        ),
-        (
             "mass of the rotor-nacelle assembly (RNA)",
             mass(description.rna.mass_kg),
         ),
@@ -72,6 +68,10 @@ fn overview(content: &ReportContent) -> Table {
         ),
         ("gravity (m/s²)", given(description.gravity_m_per_s2)),
     ];
+    if !tower.point_masses().is_empty() {
+        let masses_kg = tower.point_masses().iter().map(|one| one.mass_kg);
+        facts.insert(4, ("of this, point masses", mass(masses_kg.sum())));
+    }
     if let Some(rotor) = &description.rotor {
         facts.push(("number of blades (input file)", rotor.blades.to_string()));
         facts.push((

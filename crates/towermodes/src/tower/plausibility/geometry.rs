@@ -25,6 +25,8 @@ const METAL_PA: f64 = 6e10;
 /// fraction of the diameter, and by less than this many walls.
 const STEP: f64 = 0.1;
 const STEP_WALLS: f64 = 4.0;
+/// Where the wall changes by more than this factor, another structure begins: a tower on a monopile.
+const SAME_WALLS: f64 = 1.5;
 /// Largest length of a flange as a fraction of its diameter.
 const FLANGE: f64 = 0.5;
 
@@ -146,10 +148,12 @@ fn steps(stations: &[Station], materials: &[Material], warnings: &mut Vec<Warnin
         let (below, above) = (&stations[index - 1], &stations[*index]);
         let wide_m = below.outer_diameter_m.max(above.outer_diameter_m);
         let wall_m = below.wall_thickness_m.max(above.wall_thickness_m);
+        let thin_m = below.wall_thickness_m.min(above.wall_thickness_m);
         below.height_m == above.height_m
             && below.material == above.material
             && materials[above.material].youngs_modulus_pa > METAL_PA
             && wide_m > WIDE_M
+            && wall_m <= SAME_WALLS * thin_m
             && step_m(*index) > (STEP * wide_m).max(STEP_WALLS * wall_m)
     };
     // Steps at the ends have a warning of their own.
