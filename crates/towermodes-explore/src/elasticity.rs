@@ -59,8 +59,8 @@ pub struct Elasticities {
     pub answer_ms: f64,
 }
 
-/// A derivative below this is left by rounding, % per unit: even of 10¹² units, as stiffnesses have,
-/// it would be 10⁻¹³ %.
+/// A derivative below this is due to rounding, % per unit: a change by 10¹² units, the size of
+/// stiffnesses, would change the frequency by 10⁻¹³ %.
 const ROUNDING_PERCENT: f64 = 1e-25;
 
 /// Why a number has no elasticity.

@@ -1,9 +1,9 @@
 //! How numbers are written in every text that a person reads.
 //!
 //! [`Plain`] and [`Rounded`] write values of the input, [`digits`] and [`four_digits`] computed
-//! values, [`end_of_range`] proved ones, [`with_error`] frequencies, [`percent`] fractions. All of them write small and large
-//! numbers with an exponent. Files that a program reads back have all digits; they do not use this
-//! module.
+//! values, [`end_of_range`] proved ones, [`with_error`] frequencies, [`percent`] fractions. All of
+//! them write small and large numbers with an exponent. Files that a program reads back have all
+//! digits; they do not use this module.
 
 use std::fmt;
 

@@ -6,7 +6,8 @@ use towermodes::{EquilibriumPose, StaticBalance};
 /// Displacements (m) and rotations (degrees) smaller than this are omitted.
 const NAMED: f64 = 5e-3;
 
-/// "static balance: " with weights, buoyancy, lines, what they leave, and where they are in balance.
+/// "static balance: " with weights, buoyancy, forces of the lines, their sum, and the position of
+/// equilibrium.
 pub fn static_balance(balance: &StaticBalance) -> String {
     format!("static balance: {}", forces_and_place(balance))
 }

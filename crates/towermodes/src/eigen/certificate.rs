@@ -52,8 +52,8 @@ pub(super) fn beyond(reach: f64, margins: &[f64]) -> &[f64] {
 }
 
 /// For each k the norm of the residual matrix of the first k orthonormal vectors, relative to θ_k:
-/// k eigenvalues θ are within this of the computed ones (Kahan 1967). The Frobenius norm is an upper
-/// bound of the spectral norm.
+/// k eigenvalues θ are within this of the computed ones (Kahan 1967). The Frobenius norm is an
+/// upper bound of the spectral norm.
 pub(super) fn residual_norms(thetas: &[f64], residuals: &[Residual]) -> impl Iterator<Item = f64> {
     let vectors = thetas.iter().zip(residuals);
     vectors.scan(0.0_f64, |norm, (theta, residual)| {

@@ -28,8 +28,8 @@ const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
 /// The relative distances for a list that was found from guesses.
 const WIDE_MARGINS: [f64; 4] = [0.1, 1e-2, 1e-3, 1e-4];
 
-/// With larger residuals relative to the mode the rounding errors of the lowest mode are larger than
-/// the mode. It is below the widest of [`MARGINS`], so one of them is beyond the residuals.
+/// With larger residuals relative to the mode the rounding errors of the lowest mode are larger
+/// than the mode. It is below the widest of [`MARGINS`], so one of them is beyond the residuals.
 const MAX_RESIDUAL: f64 = 1e-4;
 
 /// If cancellation in the stiffness causes a larger relative error, the tower is refused: soil or

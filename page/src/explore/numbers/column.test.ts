@@ -16,6 +16,15 @@ test("other numbers are multiplied from where they are", () => {
   assert.deepEqual(baseOf([0, 0], [0, 1]), { values: [0, 1], factor: 1 });
 });
 
+test("the factor on numbers of which one was changed before stays visible", () => {
+  const ofFile = [0.06, 0.027];
+  const before = [0.05, 0.027];
+  const present = multiplied({ values: before, factor: 1 }, 1.1);
+  assert.deepEqual(baseAmong([ofFile], present), { values: present, factor: 1 });
+  assert.deepEqual(baseAmong([ofFile, before], present), { values: before, factor: 1.1 });
+  assert.deepEqual(baseAmong([ofFile, before], multiplied({ values: ofFile, factor: 1 }, 1.2)), { values: ofFile, factor: 1.2 });
+});
+
 test("a factor that the program refuses stays the factor, and another one multiplies the file's numbers", () => {
   const ofFile = [0.06, 0, 0.019];
   for (const refused of [0, -2]) {

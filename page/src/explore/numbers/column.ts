@@ -18,6 +18,13 @@ export function baseOf(ofFile: number[], present: number[]): Base {
   return isMultiple ? { values: ofFile, factor: tidy(factor) } : { values: present, factor: 1 };
 }
 
+/** The first of several earlier lists of which the present numbers are a common multiple, else the
+ * present ones at factor 1. */
+export function baseAmong(earlier: number[][], present: number[]): Base {
+  const found = earlier.map((values) => baseOf(values, present)).find(({ values }) => earlier.includes(values));
+  return found ?? { values: present, factor: 1 };
+}
+
 export function multiplied(base: Base, factor: number): number[] {
   return base.values.map((value) => (isMultiplied(value) ? tidy(value * factor) : value));
 }

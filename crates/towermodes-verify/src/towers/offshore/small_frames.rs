@@ -32,7 +32,8 @@ fn steel(stiffer: f64) -> Material {
     Material::from_shear_modulus(7850.0, 2.1e11 * stiffer, 8.08e10 * stiffer)
 }
 
-/// Tubes of this diameter and wall thickness between points; the points with the indices `clamped` are clamped.
+/// Tubes of this diameter and wall thickness between points; the points with the indices `clamped`
+/// are clamped.
 fn tubes(
     points: &[[f64; 3]],
     ends: &[[usize; 2]],

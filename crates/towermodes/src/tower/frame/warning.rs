@@ -23,7 +23,8 @@ const FARTHEST_M: f64 = 1000.0;
 /// 1e5 times the modulus of steel.
 const MODULUS_PA: [f64; 2] = [1e9, 1e17];
 
-/// Densities of solid materials in t/m³. Members without mass have 0, and nearly none up to 1 kg/m³.
+/// Densities of solid materials in t/m³. Members without mass have 0, and members with nearly no
+/// mass up to 1 kg/m³.
 const IN_TONNES: [f64; 2] = [1.0, 30.0];
 
 /// A probable mistake that the user should check, with its numbers. There is one warning of each

@@ -25,7 +25,8 @@ const METAL_PA: f64 = 6e10;
 /// fraction of the diameter, and by less than this many walls.
 const STEP: f64 = 0.1;
 const STEP_WALLS: f64 = 4.0;
-/// Where the wall changes by more than this factor, another structure begins: a tower on a monopile.
+/// Where the wall changes by more than this factor, another structure begins, such as a tower on a
+/// monopile.
 const SAME_WALLS: f64 = 1.5;
 /// Largest length of a flange as a fraction of its diameter.
 const FLANGE: f64 = 0.5;

@@ -88,9 +88,9 @@ impl Tower {
     }
 
     /// The height (m) of the uppermost soil around or under the tower, and the static stiffness of
-    /// pile and foundation there in the fore-aft plane: at the surface of the ground, at the highest
-    /// of the rows of [`soil`](crate::TowerDescription::soil), or at the base. None where the base
-    /// is held by more than springs, on a frame, and for a tower that floats.
+    /// pile and foundation there in the fore-aft plane: at the surface of the ground, at the
+    /// highest of the rows of [`soil`](crate::TowerDescription::soil), or at the base. None where
+    /// the base is held by more than springs, on a frame, and for a tower that floats.
     pub fn foundation_head(&self) -> Option<(f64, HeadStiffness)> {
         let height_m = self.foundation_head_m()?;
         Some((height_m, self.stiffness_at(height_m, Plane::ForeAft)?))
