@@ -10,7 +10,7 @@ use towermodes_testing::{Says, arguments, rows, words};
 
 /// Every example, with sentences that are true of it alone.
 const EXAMPLES: &str = r#"
-    floating.toml | The base is a rigid floating platform & gravity determines roll and pitch & No buckling load factor is given for a floating structure & The total includes the tower, the rotor-nacelle assembly, the platform and the added mass of the platform & Surge, sway, heave, roll, pitch and yaw are modes
+    floating.toml | The base is a rigid floating platform & gravity determines roll and pitch & No buckling load factor is given for a floating structure & The total includes the tower, the rotor-nacelle assembly, the platform and the added mass of the platform & Surge, sway, heave, roll, pitch and yaw are motions
     guyed.toml | The input has no [rotor] & Guy wires are linear springs that stay taut & Gravity is included as linear geometric stiffness, g = 9.80665
     monopile.toml | Soil is modelled by distributed linear springs & Still water
     nrel-5mw-table.toml | Cross-sections are given by a table & the input has no diameter

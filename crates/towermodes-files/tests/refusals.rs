@@ -277,7 +277,7 @@ fn a_rotor_has_blades_and_speeds() {
         let words = "[foundation]\ntype = \"clamped\"";
         refused(words, &rotor, place, message, hint);
     };
-    with("rpm = [6.9, 12.1]", "26:1", "`blades`", "as 3");
+    with("rpm = [6.9, 12.1]", "26:1", "`blades`", "for example 3");
     with("blades = 3", "26:1", "`rpm`", "rpm = [6.9, 12.1]");
     with("blade = 3\nrpm = 12.1", "27:1", "`blade`", "`blades`");
     with("blades = 3\nrmp = 12.1", "28:1", "`rmp`", "`rpm`");

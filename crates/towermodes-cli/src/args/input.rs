@@ -34,8 +34,8 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = MODEL, long)]
     pub(crate) no_rna: bool,
 
-    /// Omit gravity (no geometric stiffness); not for a floating tower, because buoyancy exists only
-    /// with gravity
+    /// Omit gravity (no geometric stiffness); not for a floating tower, because buoyancy exists
+    /// only with gravity
     #[arg(help_heading = MODEL, long)]
     no_gravity: bool,
 

@@ -267,7 +267,7 @@ fn elasticities_by_name_are_those_of_all() {
     // The derivative of the command, which has it with three digits: −0.718 % per m.
     assert_eq!(some["reasons"][names[2]]["short"], "−0.72 %/m");
     let text = some["reasons"][names[3]]["text"].as_str().expect("a text");
-    text.says("in the two directions");
+    text.says("for an increase and a decrease");
     let only = some["elasticities"].as_object().expect("numbers");
     assert_eq!(only.len(), 2, "{only:?}");
 }

@@ -11,8 +11,8 @@ use super::server::Explorer;
 use crate::pages::root;
 
 /// A copy of the examples, because a tower file may name files beside it.
-fn copy() -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("taken-away-examples");
+fn copy(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = std::fs::remove_dir_all(&folder);
     copy_folder(&root().join("examples"), &folder);
     folder
@@ -52,7 +52,7 @@ fn towers(folder: &Path) -> Vec<PathBuf> {
 
 #[test]
 fn examples_taken_away_have_the_bits_of_the_page() {
-    let folder = copy();
+    let folder = copy("taken-away-examples");
     let towers = towers(&folder);
     assert!(towers.len() >= 20, "{towers:?}");
     for tower in towers {
@@ -63,7 +63,7 @@ fn examples_taken_away_have_the_bits_of_the_page() {
 /// The file that is taken away has the verdicts of the page without the options of the page.
 #[test]
 fn speeds_of_the_command_line_are_in_the_file() {
-    let folder = copy();
+    let folder = copy("taken-away-speeds");
     let tower = folder.join("reference-tower.toml");
     let file = tower.to_string_lossy().into_owned();
     let explorer = Explorer::start(&[&file, "--rpm", "5,9", "--blades", "4"]);

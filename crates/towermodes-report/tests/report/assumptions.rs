@@ -308,11 +308,11 @@ fn afloat() -> Vec<Row> {
             .omits("are added to it")
             .of("input"),
         row("names afloat", with(9.81))
-            .says("named after the largest rigid-body motion")
-            .omits("A mode is named after")
+            .says("Surge, sway, heave, roll, pitch and yaw are motions of the whole tower")
+            .omits("mean of both fractions")
             .of("frequencies"),
         row("names ashore", pole())
-            .says("A mode is named after the motion with the largest mean of both fractions.")
+            .says("A mode is named after the motion with the largest arrears")
             .omits("Surge")
             .of("frequencies"),
     ]
