@@ -16,7 +16,7 @@ The version of the package.
 @final
 class Answer:
     """
-    A result as the program shows it.
+    A result in the forms of the program.
     """
     @property
     def conclusion(self, /) -> list[str]:
@@ -25,11 +25,11 @@ class Answer:
         """
     def csv(self, /) -> str:
         """
-        The CSV of the program; nothing if there is none.
+        The CSV, as the program writes it; nothing if there is none.
         """
     def json(self, /) -> str:
         """
-        The JSON of the program.
+        The JSON, as the program writes it.
         """
     @property
     def not_checked(self, /) -> list[str]:
@@ -47,12 +47,12 @@ class Answer:
         """
     def table(self, /) -> str:
         """
-        The table of the program.
+        The table, as the program writes it.
         """
     @property
     def verdict(self, /) -> str:
         """
-        The worst verdict: `pass`, `warn`, `fail`, or `undecided` where nothing is checked.
+        The worst verdict: `pass`, `warn`, `fail`, or `undecided` if nothing is checked.
         """
     @property
     def warnings(self, /) -> list[str]:
@@ -92,16 +92,16 @@ class Found:
     """
     def json(self, /) -> str:
         """
-        The JSON of the program.
+        The JSON, as the program writes it.
         """
     def table(self, /) -> str:
         """
-        The table of the program.
+        The table, as the program writes it.
         """
     @property
     def tower(self, /) -> Tower:
         """
-        The tower with the values found.
+        The tower with the computed values.
         """
 
 @final
@@ -112,7 +112,7 @@ class Solution:
     @property
     def buckling_load_factor(self, /) -> float | None:
         """
-        The factor on gravity at which the tower buckles.
+        The factor on the acceleration of gravity at which the tower buckles.
         """
     def cells(self, /) -> tuple[list[str], list[list[str]], str]:
         """
@@ -121,7 +121,8 @@ class Solution:
     @property
     def certificate(self, /) -> tuple[bool, int, float]:
         """
-        Whether no mode is missing, the number of modes counted, and up to which frequency, Hz.
+        Whether no mode is missing, the number of counted modes, and the frequency up to which they
+        are counted, Hz.
         """
     def column(self, /, key: str) -> "Incomplete":
         """
@@ -149,12 +150,13 @@ class Solution:
     @property
     def effective_mass(self, /) -> Incomplete:
         """
-        Effective modal masses: (modes, 6).
+        Effective modal masses: shape (modes, 6).
         """
     @property
     def effective_mass_shares(self, /) -> Incomplete | None:
         """
-        Sums of the effective masses as fractions of the totals: (6). None if they do not add up.
+        Sums of the effective masses as fractions of the totals: shape (6). None if there is no such
+        sum.
         """
     @property
     def error_hz(self, /) -> Incomplete:
@@ -208,7 +210,7 @@ class Solution:
     @property
     def rigid_inertia(self, /) -> Incomplete:
         """
-        Inertia of the whole tower against rigid motions about its base: (6, 6).
+        Rigid-body inertia matrix of the whole tower about its base: shape (6, 6).
         """
     @property
     def second(self, /) -> list[tuple[str, float] | None]:
@@ -295,11 +297,11 @@ class Tower:
     @property
     def height_m(self, /) -> float:
         """
-        Base to top, m.
+        Height from the base to the top, m.
         """
     def is_equal(self, /, other: Tower) -> bool:
         """
-        Whether both have the same description and the same options for the solution.
+        Whether both towers have the same description and the same options of the solution.
         """
     @property
     def joints(self, /) -> list[tuple[str, list[float]]]:
@@ -350,7 +352,7 @@ class Tower:
         """
     def static_balance(self, /) -> str:
         """
-        Weights, buoyancy and lines of a floating tower as JSON.
+        Weight, buoyancy and mooring forces of a floating tower as JSON.
         """
     @property
     def stations(self, /) -> Incomplete:
@@ -400,11 +402,11 @@ class Tower:
 @final
 class TurbineModes:
     """
-    The modes of a turbine at a speed.
+    The modes of a turbine at a rotor speed.
     """
     def __new__(cls, /, tower: Tower, rpm: SupportsFloat | SupportsIndex, limit_hz: SupportsFloat | SupportsIndex) -> TurbineModes:
         """
-        The modes of the turbine on a tower below a limit (Hz) at a speed (rpm).
+        The modes of the turbine of a tower below a limit (Hz) at a rotor speed (rpm).
         """
     @property
     def bounds_hz(self, /) -> Incomplete:
@@ -429,7 +431,7 @@ class TurbineModes:
     @property
     def error_hz(self, /) -> Incomplete:
         """
-        Estimated errors of the mesh, Hz; NaN where there is none.
+        Estimated discretization errors, Hz; NaN if there is no estimate.
         """
     @property
     def frequency_hz(self, /) -> Incomplete:
@@ -439,7 +441,7 @@ class TurbineModes:
     @property
     def growing(self, /) -> int:
         """
-        Least number of unstable modes; 0 if the number is not known.
+        Least number of unstable modes; 0 if it is unknown.
         """
     @property
     def limit_hz(self, /) -> float:
@@ -469,7 +471,7 @@ class TurbineModes:
     @property
     def rotor_speed_rpm(self, /) -> float:
         """
-        The speed, rpm.
+        The rotor speed, rpm.
         """
     @property
     def second(self, /) -> list[tuple[str, float] | None]:
@@ -509,8 +511,8 @@ def close() -> None:
 
 def columns_of_stream(capsule: "object", choose: "object") -> "list[tuple[str, Incomplete]]":
     """
-    The columns of a table as numbers; a missing value is NaN. A function of all names gives the
-    places of the columns that are read.
+    The columns of a table as numbers; a missing value is NaN. The given function receives all names
+    and returns the positions of the columns to read.
     """
 
 def compare(tower: Tower, methods: SupportsGetItem[int, str], segments: SupportsGetItem[int, SupportsIndex], modes: SupportsIndex, rotary_inertia: bool) -> Answer:
@@ -525,7 +527,7 @@ def damping(tower: Tower, given: "dict[str, object]", options: "dict[str, object
 
 def design(tower: Tower, text: str, name: str, *, progress: Any | None = None) -> Found:
     """
-    The tower that a study finds.
+    The tower that a design computes.
     """
 
 def examine(tower: Tower) -> Answer:
@@ -550,7 +552,7 @@ def read(path: "str", options: "dict[str, object]") -> Tower:
 
 def read_text(text: str, name: str) -> Tower:
     """
-    The tower of a text in any format; `name` stands for the name of the file.
+    The tower of a text in any format; `name` is used as the name of the file.
     """
 
 def rows_within(rows: tuple[SupportsIndex, SupportsIndex], count: SupportsIndex) -> tuple[int, int]:
@@ -560,7 +562,8 @@ def rows_within(rows: tuple[SupportsIndex, SupportsIndex], count: SupportsIndex)
 
 def run(words: "list[str]") -> "int":
     """
-    Runs the program with the words of a command line, its own name first; returns its exit code.
+    Runs the program with the words of a command line, the first of which is the name of the
+    program; returns the exit code.
     """
 
 def sensitivities(tower: Tower, names: "list[str] | None", options: "dict[str, object]") -> "tuple[Incomplete, ...]":
@@ -570,7 +573,7 @@ def sensitivities(tower: Tower, names: "list[str] | None", options: "dict[str, o
 
 def solve_mooring(path: "str") -> Answer:
     """
-    The lines of a file of MoorDyn or MAP++ at the reference position of the platform.
+    The lines of a MoorDyn or MAP++ file at the reference position of the platform.
     """
 
 def solve_substructure(path: "str", modes: SupportsIndex, clamped: bool, subdyn: bool) -> Answer:
@@ -585,15 +588,15 @@ def source(path: "str") -> tuple[str, str]:
 
 def stream_of_columns(texts: "list[tuple[str, list[str]]]", numbers: "list[tuple[str, Incomplete]]") -> "object":
     """
-    A table of texts and numbers as a stream: first the columns of texts. A number that is NaN is
-    missing.
+    A table of texts and numbers as a stream, with the columns of texts first. NaN is written as a
+    missing value.
     """
 
 def stream_of_results(first_row: SupportsIndex, inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", share: "object", failures: "tuple[object, object, object]") -> "object":
     """
-    A table of results as a stream: the number of each row, the inputs, the mass, whether it is
-    certified, frequency, error and share of each mode, and why a row failed. A number that is NaN
-    is missing.
+    A table of results as a stream: the number of each row, the inputs, the mass, whether the row is
+    certified, frequency, error and share of each mode, and the reason why a row failed. NaN is
+    written as a missing value.
     """
 
 def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", first_row: SupportsIndex, options: "dict[str, object]", *, progress: Any | None = None) -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, Incomplete, tuple[Incomplete, Incomplete, Incomplete], list[tuple[int, list[tuple[int, str]]]]]:
