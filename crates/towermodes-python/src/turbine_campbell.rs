@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use towermodes::{Options, SolveError};
-use towermodes_analysis::resonance::{WeightLeftOut, reach_hz, solve_to_reach};
+use towermodes_analysis::resonance::{ClampedBase, WeightLeftOut, reach_hz, solve_to_reach};
 use towermodes_analysis::whirl::{
     AgainstRigid, CoupledCampbell, CoupledOptions, RotorSpeeds, coupled_campbell, coupled_limit_hz,
 };
@@ -94,9 +94,11 @@ pub fn turbine_campbell(
         WeightLeftOut::of_verdicts(&model.tower, &diagram.campbell)
     });
     let weight = weight.map(|weight| weight.to_string());
+    let clamped = ClampedBase::of_verdicts(&model.tower, &diagram.campbell);
+    let clamped = clamped.map(|base| base.to_string());
     Ok(Answer::of(TurbineCampbell {
         against: diagram.against(&rigid),
-        remarks: remarks.chain(weight).collect(),
+        remarks: remarks.chain(weight).chain(clamped).collect(),
         model,
         diagram,
     }))
