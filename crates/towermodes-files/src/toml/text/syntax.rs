@@ -57,23 +57,21 @@ fn value_of_key(start: usize, text: &str) -> Option<Written<'_>> {
 /// The entry of a list at or just before a byte of the line that begins at `start`.
 fn entry_at(byte: usize, start: usize, text: &str) -> Option<Written<'_>> {
     let is_end = |c: char| c.is_whitespace() || ",[]{}=#\"'".contains(c);
-    let after_end = |byte: usize| {
-        text[..byte]
-            .rfind(is_end)
-            .map_or(0, |end| end + 1)
-            .max(start)
-    };
-    let own = after_end(byte);
-    let length = text[own..].split(is_end).next()?.len();
+    let end = text[..byte].rfind(is_end);
+    let from = end.map_or(0, |end| end + 1).max(start);
+    let own = text[from..].split(is_end).next()?;
     // A unit belongs to the number before it: 45 mm.
-    let number_ends = text[..own].trim_end_matches([' ', '\t']).len();
-    let number = after_end(number_ends);
-    let is_unit = text[own..].starts_with(char::is_alphabetic)
-        && text[number..number_ends].starts_with(|c: char| c.is_ascii_digit());
-    let from = if is_unit { number } else { own };
-    let (key, span) = (None, from..own + length);
+    let behind = text[from + own.len()..].trim_start_matches([' ', '\t']);
+    let unit = behind.split(is_end).next().unwrap_or_default();
+    let has_unit =
+        own.starts_with(|c: char| c.is_ascii_digit()) && unit.starts_with(char::is_alphabetic);
+    let to = match has_unit {
+        true => text.len() - behind.len() + unit.len(),
+        false => from + own.len(),
+    };
+    let (key, span) = (None, from..to);
     let text = &text[span.clone()];
-    (length > 0).then_some(Written { key, text, span })
+    (!text.is_empty()).then_some(Written { key, text, span })
 }
 
 impl Written<'_> {
