@@ -43,8 +43,10 @@ pub struct Converted {
     pub text: String,
     /// Name and text of the second file; only a deck of BModes has one.
     pub companion: Option<(String, String)>,
-    /// Notes on data that the format cannot store, and on the rotor if the format stores it. The
+    /// The notes of the reader on the rotor and the turbine, if the format stores them. The other
     /// notes of the reader are in [`TowerInput::notes`].
+    pub of_reader: Vec<Note>,
+    /// Notes on data that the format cannot store.
     pub notes: Vec<Note>,
 }
 
@@ -97,7 +99,7 @@ pub fn convert(
         OutputFormat::ElastoDyn => to_elastodyn(input, options),
         OutputFormat::WindIo => to_windio(input),
     }?;
-    converted.notes.splice(0..0, rotor_notes(input, format));
+    converted.of_reader.splice(0..0, rotor_notes(input, format));
     if matches!(format, OutputFormat::Toml | OutputFormat::WindIo) {
         converted.notes.extend(input.prescribed.left_out());
     }
@@ -117,13 +119,13 @@ fn to_toml(input: &TowerInput) -> Result<Converted, ConvertError> {
     // An invalid tower is not converted.
     input.tower()?;
     let turbine = input.turbine.as_ref();
-    let (text, mut notes) = write_toml_with(&input.description, turbine);
-    if turbine.is_some_and(|turbine| can_be_written(turbine, &input.description)) {
-        notes.splice(0..0, input.turbine_notes.iter().cloned());
-    }
+    let (text, notes) = write_toml_with(&input.description, turbine);
+    let is_written = turbine.is_some_and(|turbine| can_be_written(turbine, &input.description));
+    let of_turbine = is_written.then(|| input.turbine_notes.clone());
     Ok(Converted {
         text,
         companion: None,
+        of_reader: of_turbine.unwrap_or_default(),
         notes,
     })
 }
@@ -146,6 +148,7 @@ fn to_bmodes(input: &TowerInput, options: &ConvertOptions) -> Result<Converted, 
     Ok(Converted {
         text: files.deck,
         companion: Some((sections_file.clone(), files.sections)),
+        of_reader: Vec::new(),
         notes,
     })
 }
@@ -172,6 +175,7 @@ fn to_elastodyn(input: &TowerInput, options: &ConvertOptions) -> Result<Converte
     Ok(Converted {
         text,
         companion: None,
+        of_reader: Vec::new(),
         notes,
     })
 }
@@ -182,6 +186,7 @@ fn to_windio(input: &TowerInput) -> Result<Converted, ConvertError> {
     Ok(Converted {
         text,
         companion: None,
+        of_reader: Vec::new(),
         notes,
     })
 }

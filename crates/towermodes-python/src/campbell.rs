@@ -5,8 +5,8 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use towermodes::{Solution, SolveError};
 use towermodes_analysis::resonance::{
-    Campbell as Diagram, CampbellOptions, ChosenRotor, ClampedBase, GivenRotor, WeightLeftOut,
-    assess, reach_hz, solve_to_reach,
+    Campbell as Diagram, CampbellOptions, ChosenRotor, GivenRotor, assess, reach_hz,
+    solve_to_reach, verdicts_without,
 };
 use towermodes_cli::table;
 use towermodes_files::{Note, ResultError, TowerInput, write_campbell_csv, write_campbell_json};
@@ -119,10 +119,8 @@ pub fn campbell(
             .iter()
             .map(|remark| Note::new(remark.to_string())),
     );
-    let weight = released(py, || WeightLeftOut::of_verdicts(tower, &assessed.campbell));
-    notes.extend(weight.map(|weight| Note::suspicious(weight.to_string())));
-    let clamped = ClampedBase::of_verdicts(tower, &assessed.campbell);
-    notes.extend(clamped.map(|base| Note::suspicious(base.to_string())));
+    let without = released(py, || verdicts_without(tower, &assessed.campbell, false));
+    notes.extend(without.into_iter().map(Note::suspicious));
     Ok(Answer::of(Campbell {
         model,
         solution,

@@ -50,7 +50,8 @@ impl Converted {
         let input = &tower.model.input;
         let files = released(py, || convert(input, format, &options));
         let files = files.map_err(of_convert)?;
-        let own = files.notes.iter().map(Note::to_string);
+        let own = files.of_reader.iter().chain(&files.notes);
+        let own = own.map(Note::to_string);
         let notes = tower.model.notes().into_iter().chain(own).collect();
         Ok(Self { files, notes })
     }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use towermodes::{Options, SolveError};
-use towermodes_analysis::resonance::{ClampedBase, WeightLeftOut, reach_hz, solve_to_reach};
+use towermodes_analysis::resonance::{reach_hz, solve_to_reach, verdicts_without};
 use towermodes_analysis::whirl::{
     AgainstRigid, CoupledCampbell, CoupledOptions, RotorSpeeds, coupled_campbell, coupled_limit_hz,
 };
@@ -90,15 +90,12 @@ pub fn turbine_campbell(
     let diagram = diagram.map_err(|error| of_coupled(&error))?;
     let remarks = diagram.remarks(&turbine);
     let remarks = remarks.iter().map(ToString::to_string);
-    let weight = released(py, || {
-        WeightLeftOut::of_verdicts(&model.tower, &diagram.campbell)
+    let without = released(py, || {
+        verdicts_without(&model.tower, &diagram.campbell, false)
     });
-    let weight = weight.map(|weight| weight.to_string());
-    let clamped = ClampedBase::of_verdicts(&model.tower, &diagram.campbell);
-    let clamped = clamped.map(|base| base.to_string());
     Ok(Answer::of(TurbineCampbell {
         against: diagram.against(&rigid),
-        remarks: remarks.chain(weight).chain(clamped).collect(),
+        remarks: remarks.chain(without).collect(),
         model,
         diagram,
     }))

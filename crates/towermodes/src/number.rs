@@ -255,7 +255,7 @@ mod tests {
             // A narrow gap, on one side of the fourth digit and across it.
             (0.320_669_7, 0.320_628_0),
             (0.320_600_1, 0.320_599_9),
-            (1234.567_891, 1234.567_89),
+            (1_234.567_891, 1_234.567_89),
             (0.0, 0.0),
         ];
         let shown = ends.map(|(limit, last)| end_of_range(limit, last, 4));

@@ -90,9 +90,11 @@ impl ModeDamping {
 /// [`DampingError::NoEnergyParts`].
 ///
 /// # Example
-/// A clamped tower of one material: every mode has the damping ratio η/2 of the material. ``` use
-/// towermodes::{Damping, LossFactors, Material, Options, Station, Tower, TowerDescription}; use
-/// towermodes::solve; use towermodes_analysis::damping;
+/// A clamped tower of one material: every mode has the damping ratio η/2 of the material.
+/// ```
+/// use towermodes::{Damping, LossFactors, Material, Options, Station, Tower, TowerDescription};
+/// use towermodes::solve;
+/// use towermodes_analysis::damping;
 ///
 /// let description = TowerDescription {
 ///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],

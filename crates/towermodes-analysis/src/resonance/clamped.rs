@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use super::Campbell;
 use towermodes::tower::Tower;
 
 /// A tower whose base does not move, although no foundation is rigid.
@@ -15,13 +14,6 @@ impl ClampedBase {
     pub fn of(tower: &Tower) -> Option<Self> {
         let is_above = tower.base().is_clamped() && !tower.begins_in_soil_or_water();
         is_above.then_some(Self)
-    }
-
-    /// As [`of`](Self::of), for the tower of a diagram with verdicts; none for a diagram without
-    /// verdicts.
-    pub fn of_verdicts(tower: &Tower, campbell: &Campbell) -> Option<Self> {
-        let has_verdicts = campbell.not_checked.is_empty();
-        has_verdicts.then(|| Self::of(tower)).flatten()
     }
 }
 

@@ -18,6 +18,7 @@ mod sweep;
 mod track;
 mod unchecked;
 mod weight;
+mod without;
 
 pub use campbell::{
     BEYOND_OPERATION, Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited,
@@ -37,3 +38,4 @@ pub use remark::{Assessment, Covered, Remark, assess};
 pub use rotor::{ChosenRotor, GivenRotor};
 pub(crate) use sweep::speeds_rpm;
 pub use weight::WeightLeftOut;
+pub use without::verdicts_without;

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use super::Campbell;
 use towermodes::modes::Family;
 use towermodes::tower::{STANDARD_GRAVITY_M_PER_S2, Tower};
 use towermodes::{Method, Options, Solution, Solver};
@@ -33,12 +32,6 @@ impl WeightLeftOut {
         let changes = changes.filter_map(|(without, with)| Some(with? / without? - 1.0));
         let change = changes.max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
         (change.abs() > WORTH_A_WARNING).then_some(Self { change })
-    }
-
-    /// As [`of`](Self::of) for a diagram with verdicts; none for a diagram without verdicts.
-    pub fn of_verdicts(tower: &Tower, campbell: &Campbell) -> Option<Self> {
-        let has_verdicts = campbell.not_checked.is_empty();
-        has_verdicts.then(|| Self::of(tower)).flatten()
     }
 }
 

@@ -1,6 +1,6 @@
 //! The modes that are compared with the excitations: each name, along all curves that have it.
 
-use towermodes::modes::Family;
+use towermodes::modes::{Family, Holders};
 use towermodes::tower::Rotor;
 use towermodes::turbine::{TurbineModeName, TurbinePart};
 
@@ -156,8 +156,7 @@ fn places(curves: &[CoupledCurve], name: TurbineModeName) -> Vec<[f64; 2]> {
 }
 
 /// The first bending modes with less than 60 % of their energy in their plane at the highest
-/// operating speed, and the modes that have a quarter of the first unit of this energy or more: the
-/// rule of [`Holders`](towermodes::modes::Holders).
+/// operating speed, and the other [holders](Holders) of the first unit of this energy.
 pub(super) fn shared_first(curves: &[CoupledCurve], rotor: &Rotor) -> Vec<SharedFirst> {
     let points = curves.iter();
     let points = points.filter_map(|curve| curve.at_rpm(rotor.highest_rpm));
@@ -169,14 +168,11 @@ pub(super) fn shared_first(curves: &[CoupledCurve], rotor: &Rotor) -> Vec<Shared
         if named.share >= SHARED {
             return None;
         }
-        let mut below = 0.0;
-        let holds = |point: &&&CurvePoint| {
-            let own = point.energy.of(part);
-            let of_unit = (below + own).min(1.0) - below;
-            below += own;
-            of_unit >= GOOD_PART && point.name != name
-        };
-        let others = points.iter().filter(holds);
+        let shares = points.iter();
+        let shares = shares.map(|point| (point.name == name, point.energy.of(part)));
+        let others = Holders::of_unit(name.order, shares)?
+            .others()
+            .collect::<Vec<_>>();
         let holder = |point: &CurvePoint| {
             let [_, hz] = point.place();
             (point.name.to_string(), hz, point.energy.of(part))
@@ -184,7 +180,10 @@ pub(super) fn shared_first(curves: &[CoupledCurve], rotor: &Rotor) -> Vec<Shared
         Some(SharedFirst {
             family,
             named: holder(named),
-            others: others.map(|point| holder(point)).collect(),
+            others: others
+                .into_iter()
+                .map(|place| holder(points[place]))
+                .collect(),
         })
     };
     PLANES.into_iter().filter_map(of_plane).collect()

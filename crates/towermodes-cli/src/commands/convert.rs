@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use towermodes_files::{ConvertOptions, Note, OutputFormat, convert};
+use towermodes_files::{ConvertOptions, OutputFormat, convert};
 
 use crate::args::parsers::height_parser;
 use crate::args::{Ending, EndingError, InputArguments, file_of};
@@ -130,16 +130,11 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
         (converted, _) => converted.map_err(Failure::from),
     }?;
     note(&input.notes);
-    // The notes of the reader have their own level.
-    let is_of_reader = |note: &Note| {
-        let mut of_rotor = input.rotor_notes.iter();
-        input.turbine_notes.contains(note) || of_rotor.any(|own| own == note)
-    };
-    let (of_reader, of_writer): (Vec<Note>, Vec<Note>) =
-        converted.notes.iter().cloned().partition(is_of_reader);
-    note(&of_reader);
+    note(&converted.of_reader);
     // The written file does not contain what its format cannot store.
-    warn_texts(&Vec::from_iter(of_writer.iter().map(ToString::to_string)));
+    warn_texts(&Vec::from_iter(
+        converted.notes.iter().map(ToString::to_string),
+    ));
     if let (Some((name, text)), Some(output)) = (&converted.companion, output) {
         let companion = output.with_file_name(name);
         check_not_inputs(input.files(), Some(&companion))?;

@@ -51,44 +51,7 @@ impl Proved {
             ),
         }
     }
-}
 
-/// The certificate in one line: "complete: exactly 8 modes below 8.323 Hz".
-///
-/// A list may end between two modes of equal frequency; then the line states it.
-pub fn completeness(solution: &Solution) -> String {
-    Proved::of(solution).in_one_line()
-}
-
-/// The certificate of the modes of a blade in one line.
-pub fn completeness_of_blade(solution: &BladeSolution) -> String {
-    let last = solution.modes.last();
-    let error_hz = last.map_or(0.0, |m| m.algebraic_error_hz + m.discretization_error_hz);
-    let last_hz = last.map_or(0.0, |mode| mode.frequency_hz);
-    let listed = solution.modes.len();
-    Proved::new(&solution.certificate, listed, last_hz, error_hz).in_one_line()
-}
-
-/// The frequency below which the list is complete, Hz.
-pub fn complete_below_hz(solution: &Solution) -> String {
-    Proved::of(solution).below_hz(4)
-}
-
-/// "outside 0.1639 to 0.1767 Hz", the interval that added mass by frequency leaves uncertain, with
-/// as many digits as its ends need.
-fn outside([from_hz, to_hz]: [f64; 2]) -> String {
-    let shown = |count| [from_hz, to_hz].map(|end_hz| digits(end_hz, count));
-    let mut ends = (4..16).map(shown);
-    let [from, to] = ends.find(|[from, to]| from != to).unwrap_or(shown(16));
-    format!("outside {from} to {to} Hz")
-}
-
-/// The certificate as a report explains it: the theorem, the count, and the conclusion.
-pub fn proof_of_completeness(solution: &Solution) -> String {
-    Proved::of(solution).explained()
-}
-
-impl Proved {
     fn explained(&self) -> String {
         let below_hz = self.below_hz(6);
         match self.certificate.uncertain_hz {
@@ -124,6 +87,41 @@ impl Proved {
             }
         }
     }
+}
+
+/// The certificate in one line: "complete: exactly 8 modes below 8.323 Hz".
+///
+/// A list may end between two modes of equal frequency; then the line states it.
+pub fn completeness(solution: &Solution) -> String {
+    Proved::of(solution).in_one_line()
+}
+
+/// The certificate of the modes of a blade in one line.
+pub fn completeness_of_blade(solution: &BladeSolution) -> String {
+    let last = solution.modes.last();
+    let error_hz = last.map_or(0.0, |m| m.algebraic_error_hz + m.discretization_error_hz);
+    let last_hz = last.map_or(0.0, |mode| mode.frequency_hz);
+    let listed = solution.modes.len();
+    Proved::new(&solution.certificate, listed, last_hz, error_hz).in_one_line()
+}
+
+/// The frequency below which the list is complete, Hz.
+pub fn complete_below_hz(solution: &Solution) -> String {
+    Proved::of(solution).below_hz(4)
+}
+
+/// "outside 0.1639 to 0.1767 Hz", the interval that added mass by frequency leaves uncertain, with
+/// as many digits as its ends need.
+fn outside([from_hz, to_hz]: [f64; 2]) -> String {
+    let shown = |count| [from_hz, to_hz].map(|end_hz| digits(end_hz, count));
+    let mut ends = (4..16).map(shown);
+    let [from, to] = ends.find(|[from, to]| from != to).unwrap_or(shown(16));
+    format!("outside {from} to {to} Hz")
+}
+
+/// The certificate as a report explains it: the theorem, the count, and the conclusion.
+pub fn proof_of_completeness(solution: &Solution) -> String {
+    Proved::of(solution).explained()
 }
 
 #[cfg(test)]

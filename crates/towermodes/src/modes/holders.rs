@@ -58,17 +58,27 @@ impl Holders {
         name: ModeName,
         modes: impl IntoIterator<Item = (ModeName, &'m Shares)>,
     ) -> Option<Self> {
-        let [low, high] = [name.order as f64 - 1.0, name.order as f64];
+        let modes = modes.into_iter();
+        Self::of_unit(
+            name.order,
+            modes.map(|(own, shares)| (own == name, shares.of(name.family))),
+        )
+    }
+
+    /// The modes that hold a unit of the energy of a motion, from 1: of each mode whether it has
+    /// the name, and the fraction of its energy in the motion. None if no mode has the name.
+    pub fn of_unit(order: usize, modes: impl IntoIterator<Item = (bool, f64)>) -> Option<Self> {
+        let [low, high] = [order as f64 - 1.0, order as f64];
         let (mut named, mut places) = (None, Vec::new());
         let mut energy = 0.0;
-        for (place, (own, shares)) in modes.into_iter().enumerate() {
+        for (place, (is_named, share)) in modes.into_iter().enumerate() {
             let below = energy;
-            energy += shares.of(name.family);
+            energy += share;
             let part = energy.min(high) - below.max(low);
-            if own == name {
+            if is_named {
                 named = Some(place);
             }
-            if own == name || part >= LEAST_PART {
+            if is_named || part >= LEAST_PART {
                 places.push(place);
             }
         }

@@ -153,7 +153,7 @@ fn steps_of_the_diameter_between_welded_cans() {
     quiet(reference(), |t| {
         t.materials = vec![
             Material::from_poissons_ratio(2500.0, 3.6e10, 0.2),
-            t.materials[0].clone(),
+            t.materials[0],
         ];
         cans(5.0)(t);
         t.stations[2].material = 1;

@@ -10,8 +10,8 @@ use towermodes::turbine::Turbine;
 use towermodes::{Options, Rotor, Solution, Tower};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
-    Assessment, Campbell, CampbellOptions, ChosenRotor, ClampedBase, NotChecked, WeightLeftOut,
-    assess, reach_hz, solve_to_reach,
+    Assessment, Campbell, CampbellOptions, ChosenRotor, NotChecked, assess, reach_hz,
+    solve_to_reach, verdicts_without,
 };
 use towermodes_analysis::soil_band::{SoilBand, soil_band};
 use towermodes_files::{
@@ -122,13 +122,8 @@ impl CampbellArguments {
     /// The notes on what verdicts are without: the weight, unless --no-gravity was given, and the
     /// foundation.
     fn limits(&self, tower: &Tower, campbell: &Campbell) -> Vec<Note> {
-        let weight = match self.input.reading.options().without_gravity {
-            true => None,
-            false => WeightLeftOut::of_verdicts(tower, campbell),
-        };
-        let weight = weight.map(|weight| weight.to_string());
-        let clamped = ClampedBase::of_verdicts(tower, campbell).map(|base| base.to_string());
-        let limits = weight.into_iter().chain(clamped);
+        let by_request = self.input.reading.options().without_gravity;
+        let limits = verdicts_without(tower, campbell, by_request).into_iter();
         limits.map(Note::suspicious).collect()
     }
 

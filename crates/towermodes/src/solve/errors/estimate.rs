@@ -131,7 +131,7 @@ fn is_steep(tower: &Tower, mesh: &Mesh) -> bool {
         let piece = &tower.pieces()[span.piece];
         let ends = [&borders_m[..2], &borders_m[borders_m.len() - 2..]];
         ends.iter()
-            .any(|ends_m| piece.steepness(ends_m[0], ends_m[1]) > STEEP)
+            .any(|ends_m| piece.is_steeper(ends_m[0], ends_m[1], STEEP))
     })
 }
 

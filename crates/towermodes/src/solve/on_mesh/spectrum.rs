@@ -279,6 +279,19 @@ impl Spectrum {
             }),
         }
     }
+
+    /// [`count_below`], without the counts that the lists of the subsystems prove.
+    fn count_proved(&self, model: &mut Model, lambda: f64) -> usize {
+        let shift = lambda - model.origin;
+        let lists = self.of_subsystems.iter().take(model.count()).enumerate();
+        let mut sum = 0;
+        for (index, list) in lists {
+            let proved = list.proved_count(shift);
+            let count = proved.unwrap_or_else(|| count_of(model, index, shift));
+            sum += model.multiplicity(index) * count;
+        }
+        sum
+    }
 }
 
 /// Number of modes of a subsystem below μ, counted from the beginning of the spectrum, rad²/s².
@@ -292,21 +305,6 @@ pub(crate) fn count_below(model: &mut Model, lambda: f64) -> usize {
     (0..model.count())
         .map(|index| model.multiplicity(index) * count_of(model, index, shift))
         .sum()
-}
-
-impl Spectrum {
-    /// [`count_below`], without the counts that the lists of the subsystems prove.
-    fn count_proved(&self, model: &mut Model, lambda: f64) -> usize {
-        let shift = lambda - model.origin;
-        let lists = self.of_subsystems.iter().take(model.count()).enumerate();
-        let mut sum = 0;
-        for (index, list) in lists {
-            let proved = list.proved_count(shift);
-            let count = proved.unwrap_or_else(|| count_of(model, index, shift));
-            sum += model.multiplicity(index) * count;
-        }
-        sum
-    }
 }
 
 impl Found {

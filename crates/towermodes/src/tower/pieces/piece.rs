@@ -188,17 +188,12 @@ impl Piece {
         }
     }
 
-    /// The largest ratio, thick end to thin end, of the properties on which the compliances between
-    /// two heights (m) depend.
-    pub(crate) fn steepness(&self, base_m: f64, top_m: f64) -> f64 {
-        ratio(self.steepest(base_m, top_m))
-    }
-
-    /// Whether the [`steepness`](Self::steepness) between two heights (m) is more than `most`.
+    /// Whether the largest ratio, thick end to thin end, of the properties on which the compliances
+    /// between two heights (m) depend is more than `most`.
     #[inline]
-    pub(super) fn is_steeper(&self, base_m: f64, top_m: f64, most: f64) -> bool {
+    pub(crate) fn is_steeper(&self, base_m: f64, top_m: f64, most: f64) -> bool {
         let Profile::Tube { base, top, .. } = &self.profile else {
-            return self.steepness(base_m, top_m) > most;
+            return ratio(self.steepest(base_m, top_m)) > most;
         };
         // Without divisions: this is asked for each segment.
         let at = |height_m| base.blend(top, self.share_at(height_m));
