@@ -148,17 +148,17 @@ pub use solve::{
     SolveError, Solver, Stage, TooManyModes, solve,
 };
 pub use tower::{
-    AddedMassRow, AddedMassTable, ApiEdition, AxialHead, AxialModel, BeamFormula, Buoyancy, Buried,
+    AddedMassRow, AddedMassTable, ApiEdition, AxialModel, BeamFormula, Buoyancy, Buried,
     CircularFooting, Clay, ClosedForm, Damping, Drivetrain, EquilibriumError, EquilibriumPose,
-    FloatingPlatform, FootingFormula, FormKind, Foundation, FoundationSprings, Ground, GroundLayer,
-    HalfSpace, HeadStiffness, Ineffective, Inertia, LayerSoil, LossFactors, Material, MissingPart,
-    MissingParts, Monopile, MooringLines, PartNames, PileBehaviour, PileFormula, PileTube, Place,
-    Plane, Planes, PointMass, Problem, Properties, PropertyStation, PyRow, Quantity,
-    RectangularFooting, ReferredMatrix, RigidBody, Rna, Rock, Rotor, RotorAerodynamics, Sand,
-    Scour, Shear, ShearModulus, Site, Slenderness, SoilBelow, SoilModel, SoilProfile, SoilRow,
-    SoilSpring, SoilStiffness, SpringsAt, SpringsOfMember, StaticBalance, Station,
-    StiffnessFoundation, SuctionCaisson, Support, TipSprings, Tower, TowerDescription, TowerError,
-    Warning, Water, WinklerPile, Wires, is_printable, printable,
+    FloatingPlatform, FootingFormula, FormKind, Foundation, FoundationHead, FoundationSprings,
+    Ground, GroundLayer, HalfSpace, HeadStiffness, Ineffective, Inertia, LayerSoil, LossFactors,
+    Material, MissingPart, MissingParts, Monopile, MooringLines, PartNames, PileBehaviour,
+    PileFormula, PileTube, Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation,
+    PyRow, Quantity, RectangularFooting, ReferredMatrix, RigidBody, Rna, Rock, Rotor,
+    RotorAerodynamics, Sand, Scour, Shear, ShearModulus, Site, Slenderness, SoilBelow, SoilModel,
+    SoilProfile, SoilRow, SoilSpring, SoilStiffness, SpringsAt, SpringsOfMember, StaticBalance,
+    Station, StiffnessFoundation, SuctionCaisson, Support, TipSprings, Tower, TowerDescription,
+    TowerError, Warning, Water, WinklerPile, Wires, is_printable, printable,
 };
 
 /// The rooms of the solver, for its own tests and benchmarks: nothing here is promised.

@@ -6,7 +6,7 @@ use std::io::Write;
 use serde::Serialize;
 use towermodes::modes::serialized::Directions;
 use towermodes::{
-    AddedMassAt, Certificate, HeadStiffness, Method, MissingParts, Mode, Solution, SpringsAt,
+    AddedMassAt, Certificate, FoundationHead, Method, MissingParts, Mode, Solution, SpringsAt,
     SpringsOfMember, StaticBalance, Statistics, TipSprings, Tower, TowerDescription,
 };
 use towermodes_analysis::influence::{Influences, Tolerances};
@@ -90,47 +90,12 @@ struct TowerSummary<'a> {
     frame: Option<FrameSummary<'a>>,
 }
 
-/// The static stiffness of a foundation.
-#[derive(Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-struct FoundationHead {
-    /// Its height, m.
-    height_m: f64,
-    /// The stiffness at this height, in the fore-aft plane: K_L, K_LR and K_R.
-    stiffness: HeadStiffness,
-    /// The same in the side-side plane, for the displacement y and the rotation about −x; null if a
-    /// motion in this plane is rigidly held.
-    side_side: Option<HeadStiffness>,
-    /// Force per displacement z, N/m; null if the motion is rigidly held.
-    vertical_n_per_m: Option<f64>,
-    /// Moment per rotation about z, N m; null if the motion is rigidly held.
-    torsion_n_m: Option<f64>,
-}
-
-impl FoundationHead {
-    fn of(tower: &Tower) -> Option<Self> {
-        let (height_m, stiffness) = tower.foundation_head()?;
-        let axial = tower.foundation_head_axial()?;
-        let elastic = |stiffness: f64| Some(stiffness).filter(|stiffness| stiffness.is_finite());
-        Some(Self {
-            height_m,
-            stiffness,
-            side_side: tower.foundation_head_side_side(),
-            vertical_n_per_m: elastic(axial.vertical_n_per_m),
-            torsion_n_m: elastic(axial.torsion_n_m),
-        })
-    }
-}
-
 /// The springs that follow from soil in layers.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct GroundSummary {
     /// Height of the surface at the pile after scour, m.
     surface_m: f64,
-    /// The static stiffness of the pile at this surface; null if the tip is supported by more than
-    /// springs, and for members.
-    pile_head: Option<HeadStiffness>,
     /// The springs by increasing height; linear in between, twice at a height where they have a
     /// step.
     springs: Vec<SpringsAt>,
@@ -142,12 +107,9 @@ struct GroundSummary {
 }
 
 impl GroundSummary {
-    /// The summary for a tower. At the surface of the ground, the head of the foundation is the
-    /// head of the pile.
-    fn of(tower: &Tower, head: Option<&FoundationHead>) -> Option<Self> {
+    fn of(tower: &Tower) -> Option<Self> {
         Some(Self {
             surface_m: tower.ground_surface_m()?,
-            pile_head: head.map(|head| head.stiffness),
             springs: tower.springs_of_soil(),
             tip: tower.springs_at_tip(),
             members: tower.springs_of_members(),
@@ -160,7 +122,6 @@ impl<'a> SolutionDocument<'a> {
     pub(super) fn of(tower: &'a Tower, solution: &'a Solution, notes: &[Note]) -> Self {
         let notes = notes.iter().map(ToString::to_string);
         let warnings = solution.warnings.iter().map(ToString::to_string);
-        let foundation_head = FoundationHead::of(tower);
         Self {
             version: env!("CARGO_PKG_VERSION"),
             method: solution.method,
@@ -174,8 +135,8 @@ impl<'a> SolutionDocument<'a> {
                 top_mass_kg: tower.rna().mass_kg,
                 gravity_m_per_s2: tower.gravity_m_per_s2(),
                 rigid_inertia: solution.rigid_inertia,
-                ground: GroundSummary::of(tower, foundation_head.as_ref()),
-                foundation_head,
+                ground: GroundSummary::of(tower),
+                foundation_head: tower.foundation_head(),
                 missing: tower.missing_parts(),
                 frame: tower.frame().map(FrameSummary::of),
             },

@@ -63,8 +63,9 @@ pub use pieces::section::{Section, SectionMasses, Tube};
 pub use pieces::shear::Shear;
 pub(crate) use support::added_mass::InertiaByFrequency;
 pub use support::base::Base;
+pub use support::foundation_head::FoundationHead;
 pub use support::independent::{Component, Motion, Motions};
-pub use support::pile_head::{AxialHead, SpringsAt, SpringsOfMember, TipSprings};
+pub use support::soil_springs::{SpringsAt, SpringsOfMember, TipSprings};
 pub use warning::{Ineffective, Site, Warning};
 
 pub use crate::inputs::Quantity;

@@ -175,7 +175,7 @@ fn the_head_of_a_pile_has_the_static_stiffness_of_that_of_a_tower() {
         description.stations[1].height_m = -20.0;
         description.stations[2].height_m = -20.0;
         let whole = Tower::new(description.clone()).expect("a tower");
-        let expected = whole.pile_head().expect("springs");
+        let expected = whole.foundation_head().expect("springs").fore_aft;
         let of_frame = on_members(&description);
         let frame = of_frame.foundation.frame().expect("a frame");
         let ground = description.ground.as_ref().expect("ground");

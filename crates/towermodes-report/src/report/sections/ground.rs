@@ -1,7 +1,7 @@
 //! The layers of soil around the pile, in a table.
 
 use towermodes::inputs::given_inputs;
-use towermodes::{Ground, GroundLayer, HeadStiffness, SpringsAt, TipSprings, Tower};
+use towermodes::{FoundationHead, Ground, GroundLayer, SpringsAt, TipSprings, Tower};
 
 use super::super::table::Table;
 use super::inputs::{in_short, of_inputs_but};
@@ -25,8 +25,7 @@ pub(super) fn ground(ground: &Ground, names: &[String], tower: &Tower) -> Vec<Ta
         None => springs(tower),
     });
     tables.extend(tower.springs_at_tip().map(|tip| springs_at_tip(&tip)));
-    let head = tower.ground_surface_m().zip(tower.pile_head());
-    tables.extend(head.map(|(surface_m, head)| pile_head(surface_m, &head)));
+    tables.extend(tower.foundation_head().map(pile_head));
     tables
 }
 
@@ -100,14 +99,18 @@ fn springs_of_members(tower: &Tower) -> Table {
     table.without_empty_columns().shortened()
 }
 
-pub(super) fn pile_head(surface_m: f64, head: &HeadStiffness) -> Table {
+pub(super) fn pile_head(head: FoundationHead) -> Table {
+    let stiffness = head.fore_aft;
     Table::of_facts(
         "Static stiffness of the pile at the surface of the soil: force and moment per deflection and rotation of the pile at this height",
         [
-            ("surface of the soil after scour z (m)", length(surface_m)),
-            ("K_L (N/m)", given(head.lateral_n_per_m)),
-            ("K_LR (N)", given(head.coupling_n)),
-            ("K_R (N m)", given(head.rocking_n_m)),
+            (
+                "surface of the soil after scour z (m)",
+                length(head.height_m),
+            ),
+            ("K_L (N/m)", given(stiffness.lateral_n_per_m)),
+            ("K_LR (N)", given(stiffness.coupling_n)),
+            ("K_R (N m)", given(stiffness.rocking_n_m)),
         ],
     )
 }

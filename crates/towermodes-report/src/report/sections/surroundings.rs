@@ -19,8 +19,7 @@ pub(super) fn surroundings(description: &TowerDescription, tower: &Tower) -> Vec
     tables.extend(soil.map(|(index, rows)| soil_layer(&which_layer(index), rows)));
     let ground = description.ground.as_ref();
     if ground.is_none() && !description.soil.is_empty() {
-        let head = tower.foundation_head();
-        tables.extend(head.map(|(height_m, head)| super::ground::pile_head(height_m, &head)));
+        tables.extend(tower.foundation_head().map(super::ground::pile_head));
     }
     tables.extend(
         ground
