@@ -11,9 +11,8 @@ use super::pencil::Pencil;
 use super::tridiagonal::diagonalize;
 use super::vector::{add_combination, dot, fill_pseudo_random, project, scale};
 
-/// A Ritz value counts as converged when its residual estimate is below this, relative to itself …
-const TOLERANCE: f64 = 1e-13;
-/// … or below this, relative to the largest Ritz value: no product is more accurate than that.
+/// A Ritz value counts as converged when its residual estimate is below a tolerance, relative to
+/// itself, or below this, relative to the largest Ritz value: no product is more accurate than that.
 const FLOOR: f64 = 2.0 * f64::EPSILON;
 /// A projected matrix up to this size is diagonalized at once with its eigenvectors.
 const SMALL: usize = 64;
@@ -28,6 +27,8 @@ pub(super) struct Lanczos {
     /// K-orthonormal vectors; the first `used` are in use, the rest keeps its memory.
     basis: Vec<Vec<f64>>,
     used: usize,
+    /// The permitted relative residual of a Ritz value.
+    tolerance: f64,
     /// The projected operator: diagonal and off-diagonal.
     alpha: Vec<f64>,
     beta: Vec<f64>,
@@ -48,9 +49,11 @@ pub(super) struct Lanczos {
 }
 
 impl Lanczos {
-    /// Resets the state and keeps the memory.
-    pub(super) fn reset(&mut self, size: usize) {
+    /// Resets the state and keeps the memory; Ritz values converge to a relative residual of
+    /// `tolerance`.
+    pub(super) fn reset(&mut self, size: usize, tolerance: f64) {
         self.used = 0;
+        self.tolerance = tolerance;
         self.alpha.clear();
         self.beta.clear();
         self.products = 0;
@@ -228,7 +231,7 @@ impl Lanczos {
 
     /// The permitted residual of a Ritz value θ, relative to the largest one.
     fn allowed(&self, theta: f64, largest: f64) -> f64 {
-        (TOLERANCE * theta).max(FLOOR * largest)
+        (self.tolerance * theta).max(FLOOR * largest)
     }
 
     /// Whether the residual estimates β |last component| of the `wanted` largest Ritz values are

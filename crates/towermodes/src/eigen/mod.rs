@@ -25,6 +25,9 @@ const MAX_RESTARTS: usize = 8;
 /// The relative distances above the last eigenvalue at which a count is tried.
 const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
 
+/// The relative residual of a vector that is listed.
+const OF_VECTORS: f64 = 1e-13;
+
 /// The relative distances for a list that was found from guesses.
 const WIDE_MARGINS: [f64; 4] = [0.1, 1e-2, 1e-3, 1e-4];
 
@@ -123,6 +126,14 @@ impl EigenWorkspace {
     pub fn vector(&self, index: usize) -> &[f64] {
         assert!(index < self.eigenvalues.len(), "no eigenvector {index}");
         &self.vectors[index]
+    }
+
+    /// The sum of the eigenvectors, each divided by its eigenvalue; none without eigenvalues.
+    pub(crate) fn sum_of_vectors(&self) -> Option<Vec<f64>> {
+        let mut sum = vec![0.0; self.vectors.first()?.len()];
+        let factors: Vec<f64> = self.eigenvalues.iter().map(|e| 1.0 / e.lambda).collect();
+        vector::add_combination(&self.vectors[..factors.len()], &factors, &mut sum);
+        (!factors.is_empty()).then_some(sum)
     }
 
     /// The number of eigenvalues below λ, if the proof of the last list gives it.
@@ -298,7 +309,7 @@ pub fn lowest(
     }
     workspace.begin_empty(0.0);
     factorize(pencil)?;
-    workspace.lanczos.reset(size);
+    workspace.lanczos.reset(size, OF_VECTORS);
     let (mut wanted, mut restarts) = (wanted, 0);
     loop {
         let done = workspace.lanczos.start(pencil, restarts)
@@ -375,7 +386,8 @@ fn factorize(pencil: &mut dyn Pencil) -> Result<(), EigenError> {
 }
 
 /// The relative distance below the least eigenvalue at which a count proves that no eigenvalue is
-/// below it.
+/// below it, and the relative residual of its vector. The error of the eigenvalue is the square of
+/// the residual over the gap, and at most the distance of the count.
 const LEAST: f64 = 1e-9;
 
 /// Computes the smallest eigenvalue alone and proves that none is below it; it may be repeated.
@@ -388,7 +400,7 @@ pub(crate) fn least(
 ) -> Result<f64, EigenError> {
     factorize(pencil)?;
     workspace.begin_empty(0.0);
-    workspace.lanczos.reset(pencil.size());
+    workspace.lanczos.reset(pencil.size(), LEAST);
     let mut below = 0;
     for restarts in 0..=MAX_RESTARTS {
         workspace.lanczos.lock(&[], &[]);

@@ -93,10 +93,10 @@ impl Spectrum {
         self.spare = found;
     }
 
-    /// The lowest eigenvector of a subsystem in the last solve, if any was found.
-    pub(super) fn first_of(&self, subsystem: usize) -> Option<&[f64]> {
-        let workspace = &self.of_subsystems[subsystem];
-        (!workspace.eigenvalues().is_empty()).then(|| workspace.vector(0))
+    /// A vector near the lowest modes of a subsystem in the last solve, if any was found: it has a
+    /// part of each mode, and most of the lowest.
+    pub(super) fn near_lowest(&self, subsystem: usize) -> Option<Vec<f64>> {
+        self.of_subsystems[subsystem].sum_of_vectors()
     }
 
     /// The eigenvalue of a mode of the last solve of its subsystem.

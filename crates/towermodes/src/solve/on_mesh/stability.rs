@@ -157,9 +157,9 @@ pub(crate) fn buckling_load_factor(
         if !bends {
             continue;
         }
-        let first = modes.and_then(|modes| modes.first_of(index));
+        let start = modes.and_then(|modes| modes.near_lowest(index));
         let pencil = model.pencil(index, Eigenproblem::Buckling);
-        match least(&mut pencil.starting_from(first), &mut workspace) {
+        match least(&mut pencil.starting_from(start.as_deref()), &mut workspace) {
             Ok(factor) => {
                 lowest_factor = Some(lowest_factor.map_or(factor, |least: f64| least.min(factor)));
             }
