@@ -37,7 +37,7 @@ pub struct Elimination<const D: usize> {
 
 /// The number of negative eigenvalues of a matrix A of the chain; nothing is stored.
 pub fn count_negative<const D: usize>(chain: &Chain<D>, a: &Coefficients) -> usize {
-    eliminate(chain, a, |_| {})
+    eliminate(chain, a, &mut ())
 }
 
 /// Factors a matrix A of the chain into `factors` and returns the number of its negative
@@ -48,23 +48,46 @@ pub fn factorize<const D: usize>(
     factors: &mut Vec<Elimination<D>>,
 ) -> usize {
     factors.clear();
-    eliminate(chain, a, |elimination| factors.push(elimination))
+    eliminate(chain, a, factors)
 }
 
-/// Eliminates every spring from the tip down, passes each to `record`, and returns how many pivots
-/// are negative.
+/// What uses the eliminated springs, from the tip down.
+pub(super) trait Eliminations<const D: usize> {
+    /// The springs of this joint are the next; it is `rise_m` below the joint before.
+    #[inline(always)]
+    fn begin(&mut self, _joint: usize, _link: &Link<D>, _rise_m: f64) {}
+
+    /// The next spring of the joint, of this component and root.
+    fn take(&mut self, component: usize, root: f64, elimination: Elimination<D>);
+}
+
+impl<const D: usize> Eliminations<D> for () {
+    #[inline(always)]
+    fn take(&mut self, _component: usize, _root: f64, _elimination: Elimination<D>) {}
+}
+
+impl<const D: usize> Eliminations<D> for Vec<Elimination<D>> {
+    #[inline(always)]
+    fn take(&mut self, _component: usize, _root: f64, elimination: Elimination<D>) {
+        self.push(elimination);
+    }
+}
+
+/// Eliminates every spring from the tip down, and returns how many pivots are negative.
 #[inline]
-fn eliminate<const D: usize>(
+pub(super) fn eliminate<const D: usize>(
     chain: &Chain<D>,
     a: &Coefficients,
-    mut record: impl FnMut(Elimination<D>),
+    eliminations: &mut impl Eliminations<D>,
 ) -> usize {
     let mut p = [[0.0; D]; D];
     let mut above_m = 0.0;
     let mut negative = 0;
     let has_geometric = a.geometric != 0.0;
     for (joint, (link, inertia)) in chain.links.iter().zip(&chain.inertias).enumerate().rev() {
-        transform_matrix(&mut p, above_m - link.height_m);
+        let rise_m = above_m - link.height_m;
+        transform_matrix(&mut p, rise_m);
+        eliminations.begin(joint, link, rise_m);
         above_m = link.height_m;
         if link.has_body {
             add_body(chain, a, joint, inertia, &mut p);
@@ -91,7 +114,7 @@ fn eliminate<const D: usize>(
                 } else {
                     update(&mut p, component, &column, spring);
                 }
-                record(Elimination { inverse, column });
+                eliminations.take(component, root, Elimination { inverse, column });
             }
         });
     }
@@ -200,7 +223,7 @@ fn p_delta<const D: usize>(link: &Link<D>, geometric: f64, component: usize) -> 
 /// Down: u = x − g eᵀb, b ← b + p g u/δ.  Up: y = (u − g pᵀv)/δ, v ← v + e g y.
 pub fn solve<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64]) {
     bias_down(chain, factors, x);
-    motion_up(chain, factors, x);
+    motion_up(chain, factors, x, |_, _, _, _| {});
 }
 
 fn bias_down<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64]) {
@@ -238,11 +261,18 @@ fn bias_down<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &m
     }
 }
 
-fn motion_up<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64]) {
+/// Passes to `body` each joint with the motion of the body above and its own coordinates.
+#[inline(always)]
+pub(super) fn motion_up<const D: usize>(
+    chain: &Chain<D>,
+    factors: &[Elimination<D>],
+    x: &mut [f64],
+    mut body: impl FnMut(usize, &Link<D>, &[f64; D], &[f64]),
+) {
     let mut motion = [0.0; D];
     let mut below_m = 0.0;
     let (mut rest, mut factors) = (x, factors);
-    for link in &chain.links {
+    for (joint, link) in chain.links.iter().enumerate() {
         transform_motion(&mut motion, link.height_m - below_m);
         below_m = link.height_m;
         let (own, above) = rest.split_at_mut(link.moving);
@@ -257,6 +287,7 @@ fn motion_up<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &m
                 let root = link.root[component];
                 springs[component].release(component, root, &mut own[component], &mut motion);
             });
+            body(joint, link, &motion, own);
             continue;
         }
         let mut springs = own.iter_mut().zip(eliminations).rev();
@@ -269,13 +300,14 @@ fn motion_up<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &m
                 spring.release(component, root, x, &mut motion);
             }
         });
+        body(joint, link, &motion, own);
     }
 }
 
 impl<const D: usize> Elimination<D> {
     /// u = x − g eᵀb in place of x, then b ← b + p g u/δ, for the spring of a component.
     #[inline(always)]
-    fn bias(&self, component: usize, root: f64, x: &mut f64, bias: &mut [f64; D]) {
+    pub(super) fn bias(&self, component: usize, root: f64, x: &mut f64, bias: &mut [f64; D]) {
         *x -= root * bias[component];
         let reaction = root * *x * self.inverse;
         for (b, p) in bias.iter_mut().zip(&self.column) {

@@ -44,20 +44,13 @@ pub fn product<const D: usize>(
     x: &[f64],
     out: &mut [f64],
 ) {
-    let joints = chain.joints();
-    loads.bodies.resize(joints, [0.0; D]);
     if *a == Coefficients::MASS {
-        let bodies = &mut loads.bodies[..];
-        let states = bodies.iter_mut().zip(&chain.inertias);
-        sweep_up(chain, x, states, |(load, inertia), link, motion, _| {
-            *load = match link.has_body {
-                true => times(inertia, motion),
-                false => [0.0; D],
-            };
-        });
+        let bodies = inertia_forces(chain, loads, x);
         sweep_down(chain, out, bodies.iter(), |load| (*load, [0.0; D]));
         return;
     }
+    let joints = chain.joints();
+    loads.bodies.resize(joints, [0.0; D]);
     if a.geometric == 0.0 || !chain.has_geometric_stiffness {
         let states = loads.bodies.iter_mut().enumerate();
         sweep_up(chain, x, states, |(joint, load), link, motion, _| {
@@ -90,6 +83,23 @@ pub fn product<const D: usize>(
         (*load, *deflection)
     });
     add_joint_stiffness(chain, a.stiffness, x, out);
+}
+
+/// M v of each body.
+pub(super) fn inertia_forces<'a, const D: usize>(
+    chain: &Chain<D>,
+    loads: &'a mut Loads<D>,
+    x: &[f64],
+) -> &'a [[f64; D]] {
+    loads.bodies.resize(chain.joints(), [0.0; D]);
+    let states = loads.bodies.iter_mut().zip(&chain.inertias);
+    sweep_up(chain, x, states, |(load, inertia), link, motion, _| {
+        *load = match link.has_body {
+            true => times(inertia, motion),
+            false => [0.0; D],
+        };
+    });
+    &loads.bodies
 }
 
 /// (mass M + foundation S) v of one body.
@@ -266,28 +276,69 @@ fn add_work<const D: usize>(energy: &mut [f64; D], load: &[f64; D], motion: &[f6
 
 /// xᵀ A x for each of the matrices A, in one sweep.
 pub fn energies<const D: usize>(chain: &Chain<D>, x: &[f64]) -> Energies {
-    let (mut mass, mut foundation, mut gravity) = ([0.0; D], [0.0; D], [0.0; D]);
-    let states = chain.inertias.iter().enumerate();
-    sweep_up(chain, x, states, |(joint, inertia), link, motion, own| {
+    let mut sums = EnergySums::default();
+    sweep_up(chain, x, 0.., |joint, link, motion, own| {
+        sums.add(chain, joint, link, motion, || *own);
+    });
+    sums.of(chain, x)
+}
+
+/// The energies of the bodies, by component.
+pub(super) struct EnergySums<const D: usize> {
+    mass: [f64; D],
+    foundation: [f64; D],
+    gravity: [f64; D],
+}
+
+impl<const D: usize> Default for EnergySums<D> {
+    fn default() -> Self {
+        Self {
+            mass: [0.0; D],
+            foundation: [0.0; D],
+            gravity: [0.0; D],
+        }
+    }
+}
+
+impl<const D: usize> EnergySums<D> {
+    /// Adds the body above a joint, with its motion and the joint's own.
+    #[inline(always)]
+    pub(super) fn add(
+        &mut self,
+        chain: &Chain<D>,
+        joint: usize,
+        link: &Link<D>,
+        motion: &[f64; D],
+        own: impl Fn() -> [f64; D],
+    ) {
         if link.has_body {
-            add_work(&mut mass, &times(inertia, motion), motion);
+            add_work(
+                &mut self.mass,
+                &times(&chain.inertias[joint], motion),
+                motion,
+            );
             if let Some(stiffness) = chain.foundation.get(joint) {
-                add_work(&mut foundation, &times(stiffness, motion), motion);
+                add_work(&mut self.foundation, &times(stiffness, motion), motion);
             }
         }
         if chain.has_geometric_stiffness {
-            let (body, deflection) = p_delta(link, -1.0, motion, own);
+            let own = own();
+            let (body, deflection) = p_delta(link, -1.0, motion, &own);
             for c in 0..D {
-                gravity[c] += body[c] * motion[c] + deflection[c] * own[c];
+                self.gravity[c] += body[c] * motion[c] + deflection[c] * own[c];
             }
         }
-    });
-    let sum = |values: [f64; D]| values.iter().sum();
-    Energies {
-        elastic: squares(&x[free_coordinates(chain)..]),
-        foundation: sum(foundation),
-        gravity: sum(gravity),
-        mass: sum(mass),
+    }
+
+    /// The energies of a vector whose bodies were added.
+    pub(super) fn of(&self, chain: &Chain<D>, x: &[f64]) -> Energies {
+        let sum = |values: [f64; D]| values.iter().sum();
+        Energies {
+            elastic: squares(&x[free_coordinates(chain)..]),
+            foundation: sum(self.foundation),
+            gravity: sum(self.gravity),
+            mass: sum(self.mass),
+        }
     }
 }
 

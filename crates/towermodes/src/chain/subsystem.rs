@@ -2,6 +2,7 @@
 
 use super::articulated::{self, Elimination};
 use super::curves::ChainCurves;
+use super::inverse_step::factorize_and_solve;
 use super::joint::JointFlexibility;
 use super::model::Chain;
 use super::product::{self, Loads};
@@ -87,6 +88,12 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
 
     fn solve(&mut self, x: &mut [f64]) {
         articulated::solve(&self.chain, &self.factors, x);
+    }
+
+    fn inverse_step(&mut self, a: &Coefficients, x: &mut [f64]) -> Option<(usize, Energies)> {
+        let forces = product::inertia_forces(&self.chain, &mut self.loads, x);
+        let factors = &mut self.factors;
+        Some(factorize_and_solve(&self.chain, a, forces, factors, x))
     }
 
     fn energy(&mut self, a: &Coefficients, x: &[f64]) -> f64 {

@@ -52,4 +52,20 @@ pub trait ShiftInvert: Pencil {
 
     /// xᵀ K x and xᵀ M x.
     fn energies(&mut self, x: &[f64]) -> [f64; 2];
+
+    /// One step of inverse iteration: factors K − `shift`·M, and x ← (K − shift·M)⁻¹ M x. The
+    /// number of eigenvalues below `shift` (rad²/s²), and the energies of the new x. `load` is
+    /// memory to work in, as long as x.
+    fn inverse_step(&mut self, shift: f64, x: &mut [f64], load: &mut [f64]) -> (usize, [f64; 2]) {
+        let count = self.factorize_shifted(shift);
+        (count, self.inverse_step_again(x, load))
+    }
+
+    /// The same with the factors of the last [`inverse_step`](Self::inverse_step).
+    fn inverse_step_again(&mut self, x: &mut [f64], load: &mut [f64]) -> [f64; 2] {
+        self.mass_times(x, load);
+        x.copy_from_slice(load);
+        self.solve_shifted(x);
+        self.energies(x)
+    }
 }

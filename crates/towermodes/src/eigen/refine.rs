@@ -144,15 +144,13 @@ impl Refinement {
             // A shift near the eigenvalue is used once more. The first shift is NaN, so it is not
             // near.
             let is_near = (quotient - shift).abs() <= NEAR * gap * quotient;
-            if !is_near {
-                shift = quotient;
-                count = pencil.factorize_shifted(shift);
-            }
-            pencil.mass_times(x, load);
             *products += 1;
-            x.copy_from_slice(load);
-            pencil.solve_shifted(x);
-            energies = pencil.energies(x);
+            if is_near {
+                energies = pencil.inverse_step_again(x, load);
+            } else {
+                shift = quotient;
+                (count, energies) = pencil.inverse_step(shift, x, load);
+            }
             let lambda = energies[0] / energies[1];
             let squared = mass / energies[1] - (lambda - shift) * (lambda - shift);
             let residual_squared = squared.max(0.0);

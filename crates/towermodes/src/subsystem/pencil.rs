@@ -165,4 +165,20 @@ impl ShiftInvert for SubsystemPencil<'_> {
         let energies = self.subsystem.energies(x);
         [&self.stiffness, &self.mass].map(|matrix| energies.of(matrix))
     }
+
+    fn inverse_step(&mut self, shift: f64, x: &mut [f64], load: &mut [f64]) -> (usize, [f64; 2]) {
+        let shifted = self.stiffness.minus(shift, self.mass);
+        let is_vibration = self.mass == Coefficients::MASS;
+        if is_vibration && let Some((count, energies)) = self.subsystem.inverse_step(&shifted, x) {
+            if let Some(observer) = &mut self.observer {
+                observer.count_product();
+            }
+            return (
+                count,
+                [&self.stiffness, &self.mass].map(|matrix| energies.of(matrix)),
+            );
+        }
+        let count = self.factorize_shifted(shift);
+        (count, self.inverse_step_again(x, load))
+    }
 }
