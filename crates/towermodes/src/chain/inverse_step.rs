@@ -1,8 +1,8 @@
 //! One step of inverse iteration in two passes over the joints.
 
 use super::articulated::{Elimination, Eliminations, eliminate, motion_up};
+use super::energies::EnergySums;
 use super::model::{Chain, Link};
-use super::product::EnergySums;
 use crate::space::{add, transform_force};
 use crate::subsystem::{Coefficients, Energies};
 

@@ -8,6 +8,7 @@ mod articulated;
 mod branch;
 mod cubic;
 mod curves;
+mod energies;
 mod inverse_step;
 mod joint;
 mod model;

@@ -3,7 +3,7 @@
 
 use super::model::{Chain, Link};
 use crate::space::{Matrix, add, levers, times, transform_force, transform_motion};
-use crate::subsystem::{Coefficients, Energies};
+use crate::subsystem::Coefficients;
 
 /// The motion of every body (at its joint) for scaled joint coordinates `x`: J G x, one entry for
 /// each joint.
@@ -104,7 +104,7 @@ pub(super) fn inertia_forces<'a, const D: usize>(
 
 /// (mass M + foundation S) v of one body.
 #[inline]
-fn body_load<const D: usize>(
+pub(super) fn body_load<const D: usize>(
     chain: &Chain<D>,
     a: &Coefficients,
     joint: usize,
@@ -131,7 +131,7 @@ fn body_load<const D: usize>(
 /// −N δ θ for the shear deflection δ (in `own`) of its joint: those on the body and those on the
 /// deflection.
 #[inline]
-fn p_delta<const D: usize>(
+pub(super) fn p_delta<const D: usize>(
     link: &Link<D>,
     geometric: f64,
     motion: &[f64; D],
@@ -162,50 +162,6 @@ fn add_joint_stiffness<const D: usize>(
     }
 }
 
-/// The resultant of A x about a height (m), and the contribution of each component to xᵀ A x.
-pub fn resultant<const D: usize>(
-    chain: &Chain<D>,
-    a: &Coefficients,
-    x: &[f64],
-    base_m: f64,
-) -> ([f64; D], [f64; D]) {
-    let (mut force, mut energy) = ([0.0; D], [0.0; D]);
-    sweep_up(chain, x, 0.., |joint, link, motion, own| {
-        let mut load = add_energies(chain, a, joint, link, (motion, own), &mut energy);
-        transform_force(&mut load, link.height_m - base_m);
-        add(&mut force, &load);
-    });
-    (force, energy)
-}
-
-/// The resultant of M x about a height (m), and the contributions of each component to xᵀ M x and
-/// xᵀ K x.
-pub fn modal_resultant<const D: usize>(
-    chain: &Chain<D>,
-    x: &[f64],
-    base_m: f64,
-) -> ([f64; D], [f64; D], [f64; D]) {
-    let (mut force, mut kinetic, mut strain) = ([0.0; D], [0.0; D], [0.0; D]);
-    let states = chain.inertias.iter().enumerate();
-    sweep_up(chain, x, states, |(joint, inertia), link, motion, own| {
-        add_energies(
-            chain,
-            &Coefficients::STIFFNESS,
-            joint,
-            link,
-            (motion, own),
-            &mut strain,
-        );
-        if link.has_body {
-            let mut load = times(inertia, motion);
-            add_work(&mut kinetic, &load, motion);
-            transform_force(&mut load, link.height_m - base_m);
-            add(&mut force, &load);
-        }
-    });
-    (force, kinetic, strain)
-}
-
 /// Passes to `body` each joint with the motion of the body above, its own motion, and the load A v
 /// on this body.
 pub(super) fn for_each_body<const D: usize>(
@@ -223,156 +179,8 @@ pub(super) fn for_each_body<const D: usize>(
     });
 }
 
-/// xᵀ A x.
-pub fn energy<const D: usize>(chain: &Chain<D>, a: &Coefficients, x: &[f64]) -> f64 {
-    let mut energy = [0.0; D];
-    sweep_up(chain, x, 0.., |joint, link, motion, own| {
-        add_energies(chain, a, joint, link, (motion, own), &mut energy);
-    });
-    energy.iter().sum()
-}
-
-/// Adds the contribution of a body and its joint to the energies of a matrix A by component;
-/// returns the load on the body.
-#[inline(always)]
-fn add_energies<const D: usize>(
-    chain: &Chain<D>,
-    a: &Coefficients,
-    joint: usize,
-    link: &Link<D>,
-    (motion, own): (&[f64; D], &[f64; D]),
-    energy: &mut [f64; D],
-) -> [f64; D] {
-    let mut load = [0.0; D];
-    if link.has_body {
-        load = body_load(chain, a, joint, motion);
-    }
-    if a.geometric == 0.0 {
-        add_work(energy, &load, motion);
-    } else {
-        let (above, deflection) = p_delta(link, a.geometric, motion, own);
-        add(&mut load, &above);
-        for c in 0..D {
-            energy[c] += load[c] * motion[c] + deflection[c] * own[c];
-        }
-    }
-    if a.stiffness != 0.0 && link.spring != 0.0 {
-        for c in 0..D {
-            if link.root[c] != 0.0 {
-                energy[c] += a.stiffness * (own[c] / link.root[c]).powi(2);
-            }
-        }
-    }
-    load
-}
-
-/// Adds the work of a load on a motion, by component.
-#[inline(always)]
-fn add_work<const D: usize>(energy: &mut [f64; D], load: &[f64; D], motion: &[f64; D]) {
-    for ((sum, load), motion) in energy.iter_mut().zip(load).zip(motion) {
-        *sum += load * motion;
-    }
-}
-
-/// xᵀ A x for each of the matrices A, in one sweep.
-pub fn energies<const D: usize>(chain: &Chain<D>, x: &[f64]) -> Energies {
-    let mut sums = EnergySums::default();
-    sweep_up(chain, x, 0.., |joint, link, motion, own| {
-        sums.add(chain, joint, link, motion, || *own);
-    });
-    sums.of(chain, x)
-}
-
-/// The energies of the bodies, by component.
-pub(super) struct EnergySums<const D: usize> {
-    mass: [f64; D],
-    foundation: [f64; D],
-    gravity: [f64; D],
-}
-
-impl<const D: usize> Default for EnergySums<D> {
-    fn default() -> Self {
-        Self {
-            mass: [0.0; D],
-            foundation: [0.0; D],
-            gravity: [0.0; D],
-        }
-    }
-}
-
-impl<const D: usize> EnergySums<D> {
-    /// Adds the body above a joint, with its motion and the joint's own.
-    #[inline(always)]
-    pub(super) fn add(
-        &mut self,
-        chain: &Chain<D>,
-        joint: usize,
-        link: &Link<D>,
-        motion: &[f64; D],
-        own: impl Fn() -> [f64; D],
-    ) {
-        if link.has_body {
-            add_work(
-                &mut self.mass,
-                &times(&chain.inertias[joint], motion),
-                motion,
-            );
-            if let Some(stiffness) = chain.foundation.get(joint) {
-                add_work(&mut self.foundation, &times(stiffness, motion), motion);
-            }
-        }
-        if chain.has_geometric_stiffness {
-            let own = own();
-            let (body, deflection) = p_delta(link, -1.0, motion, &own);
-            for c in 0..D {
-                self.gravity[c] += body[c] * motion[c] + deflection[c] * own[c];
-            }
-        }
-    }
-
-    /// The energies of a vector whose bodies were added.
-    pub(super) fn of(&self, chain: &Chain<D>, x: &[f64]) -> Energies {
-        let sum = |values: [f64; D]| values.iter().sum();
-        Energies {
-            elastic: squares(&x[free_coordinates(chain)..]),
-            foundation: sum(self.foundation),
-            gravity: sum(self.gravity),
-            mass: sum(self.mass),
-        }
-    }
-}
-
-/// Tells `part` the height (m) of each joint and the part of xᵀ x of its springs.
-pub fn strain_energies<const D: usize>(
-    chain: &Chain<D>,
-    x: &[f64],
-    part: &mut dyn FnMut(f64, f64),
-) {
-    let mut rest = x;
-    for link in &chain.links {
-        let (own, above) = rest.split_at(link.moving);
-        rest = above;
-        if link.spring != 0.0 {
-            part(link.height_m, squares(own));
-        }
-    }
-}
-
-/// Σ x², in four running sums.
-fn squares(x: &[f64]) -> f64 {
-    let fours = x.chunks_exact(4);
-    let rest: f64 = fours.remainder().iter().map(|x| x * x).sum();
-    let mut sums = [0.0; 4];
-    for x in fours {
-        for lane in 0..4 {
-            sums[lane] += x[lane] * x[lane];
-        }
-    }
-    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
-}
-
 /// Number of coordinates of a moving base: only the base, the first link, can be free.
-fn free_coordinates<const D: usize>(chain: &Chain<D>) -> usize {
+pub(super) fn free_coordinates<const D: usize>(chain: &Chain<D>) -> usize {
     match chain.links.first() {
         Some(base) if base.spring == 0.0 => base.moving,
         _ => 0,
@@ -396,7 +204,7 @@ pub fn base_excitation<const D: usize>(chain: &Chain<D>, out: &mut [f64]) {
 /// From the base up: v ← X v + G x, passed to `body` joint by joint, with a state of each joint and
 /// its own G x.
 #[inline]
-fn sweep_up<const D: usize, S>(
+pub(super) fn sweep_up<const D: usize, S>(
     chain: &Chain<D>,
     x: &[f64],
     states: impl Iterator<Item = S>,

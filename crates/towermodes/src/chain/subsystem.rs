@@ -2,6 +2,7 @@
 
 use super::articulated::{self, Elimination};
 use super::curves::ChainCurves;
+use super::energies;
 use super::inverse_step::factorize_and_solve;
 use super::joint::JointFlexibility;
 use super::model::Chain;
@@ -97,15 +98,15 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
     }
 
     fn energy(&mut self, a: &Coefficients, x: &[f64]) -> f64 {
-        product::energy(&self.chain, a, x)
+        energies::energy(&self.chain, a, x)
     }
 
     fn energies(&mut self, x: &[f64]) -> Energies {
-        product::energies(&self.chain, x)
+        energies::energies(&self.chain, x)
     }
 
     fn strain_energies(&self, x: &[f64], part: &mut dyn FnMut(f64, f64)) {
-        product::strain_energies(&self.chain, x, part);
+        energies::strain_energies(&self.chain, x, part);
     }
 
     fn internal_forces(&self, x: &[f64], forces: &mut InternalForces) -> bool {
@@ -123,7 +124,7 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
     }
 
     fn resultant(&mut self, a: &Coefficients, x: &[f64], base_m: f64) -> Resultant {
-        let (force, energy) = product::resultant(&self.chain, a, x, base_m);
+        let (force, energy) = energies::resultant(&self.chain, a, x, base_m);
         Resultant {
             force: self.coordinates.expand(&force),
             energy: self.coordinates.expand_unsigned(&energy),
@@ -131,7 +132,7 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
     }
 
     fn modal_resultant(&mut self, x: &[f64], base_m: f64) -> (Resultant, [f64; 6]) {
-        let (force, kinetic, strain) = product::modal_resultant(&self.chain, x, base_m);
+        let (force, kinetic, strain) = energies::modal_resultant(&self.chain, x, base_m);
         let kinetic = Resultant {
             force: self.coordinates.expand(&force),
             energy: self.coordinates.expand_unsigned(&kinetic),
