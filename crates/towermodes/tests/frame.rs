@@ -523,7 +523,7 @@ fn members_that_are_probably_mistakes_are_warned_of() {
         ),
         (
             &density(7.85),
-            "member 1 (and another one): density is 7.85 kg/m3; no structural material has so little; steel has 7850",
+            "member 1 (and another one): the density is 7.85 kg/m3, less than that of any structural material (steel: 7850)",
         ),
         (
             &moduli(210.0, 81.0),

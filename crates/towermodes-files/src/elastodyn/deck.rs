@@ -323,7 +323,7 @@ impl Model {
         let tilt_deg = self.main.shaft_tilt_deg;
         (tilt_deg != 0.0 && tilt_deg.abs() < LEAST_TILT_DEG).then(|| {
             let message = format!(
-                "ShftTilt is {} degrees; shafts are tilted by some degrees or not at all: the unit is degrees, and 5 degrees are 0.0873 rad",
+                "ShftTilt is {} degrees, but rotor shafts are tilted by several degrees or not at all; give degrees, not radians (5 degrees are 0.0873 rad)",
                 Plain(tilt_deg)
             );
             let at = self.main.place("ShftTilt").start;

@@ -226,7 +226,11 @@ pub fn solve<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &m
     motion_up(chain, factors, x, |_, _, _, _| {});
 }
 
-fn bias_down<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64]) {
+pub(super) fn bias_down<const D: usize>(
+    chain: &Chain<D>,
+    factors: &[Elimination<D>],
+    x: &mut [f64],
+) {
     let mut bias = [0.0; D];
     let mut above_m = 0.0;
     let (mut rest, mut factors) = (x, factors);

@@ -1,39 +1,38 @@
 //! One step of inverse iteration in two passes over the joints.
 
-use super::articulated::{Elimination, Eliminations, eliminate, motion_up};
+use super::articulated::{Elimination, Eliminations, bias_down, eliminate, motion_up};
 use super::energies::EnergySums;
 use super::model::{Chain, Link};
+use super::product::{Loads, coordinates_of_forces, inertia_forces};
 use crate::space::{add, transform_force};
 use crate::subsystem::{Coefficients, Energies};
 
-/// One step of inverse iteration with a matrix A: factors it, solves A y = Gᵀ Jᵀ f for the forces f
-/// on the bodies, and takes the energies of y. The number of negative eigenvalues of A.
+/// x ← A⁻¹ M x, with A factored first if it is given, else with the factors of the last A. The
+/// number of negative eigenvalues of A (0 if it is not factored), and the energies of the new x.
 ///
 /// The forces and the right-hand side go down with the elimination, the energies up with the
 /// motion: what one waits for is computed while the other waits.
-pub fn factorize_and_solve<const D: usize>(
+pub fn inverse_step<const D: usize>(
     chain: &Chain<D>,
-    a: &Coefficients,
-    forces: &[[f64; D]],
+    a: Option<&Coefficients>,
+    loads: &mut Loads<D>,
     factors: &mut Vec<Elimination<D>>,
-    y: &mut [f64],
+    x: &mut [f64],
 ) -> (usize, Energies) {
-    factors.clear();
-    let mut down = ForcesDown {
-        forces,
-        factors,
-        next: y.len(),
-        begin: y.len(),
-        x: y,
-        force: [0.0; D],
-        bias: [0.0; D],
+    let forces = inertia_forces(chain, loads, x);
+    let negative = match a {
+        Some(a) => ForcesDown::new(forces, factors, x).eliminate(chain, a),
+        None => {
+            coordinates_of_forces(chain, forces, x);
+            bias_down(chain, factors, x);
+            0
+        }
     };
-    let negative = eliminate(chain, a, &mut down);
     let mut sums = EnergySums::default();
-    motion_up(chain, factors, y, |joint, link, motion, own| {
+    motion_up(chain, factors, x, |joint, link, motion, own| {
         sums.add(chain, joint, link, motion, || link.scaled(own));
     });
-    (negative, sums.of(chain, y))
+    (negative, sums.of(chain, x))
 }
 
 /// The forces on the bodies and the bias of the right-hand side, on the way down.
@@ -46,6 +45,26 @@ struct ForcesDown<'a, const D: usize> {
     next: usize,
     force: [f64; D],
     bias: [f64; D],
+}
+
+impl<'a, const D: usize> ForcesDown<'a, D> {
+    fn new(forces: &'a [[f64; D]], factors: &'a mut Vec<Elimination<D>>, x: &'a mut [f64]) -> Self {
+        factors.clear();
+        Self {
+            forces,
+            factors,
+            begin: x.len(),
+            next: x.len(),
+            x,
+            force: [0.0; D],
+            bias: [0.0; D],
+        }
+    }
+
+    /// Factors A and returns the number of its negative eigenvalues.
+    fn eliminate(mut self, chain: &Chain<D>, a: &Coefficients) -> usize {
+        eliminate(chain, a, &mut self)
+    }
 }
 
 impl<const D: usize> Eliminations<D> for ForcesDown<'_, D> {

@@ -45,9 +45,7 @@ pub fn product<const D: usize>(
     out: &mut [f64],
 ) {
     if *a == Coefficients::MASS {
-        let bodies = inertia_forces(chain, loads, x);
-        sweep_down(chain, out, bodies.iter(), |load| (*load, [0.0; D]));
-        return;
+        return coordinates_of_forces(chain, inertia_forces(chain, loads, x), out);
     }
     let joints = chain.joints();
     loads.bodies.resize(joints, [0.0; D]);
@@ -59,7 +57,7 @@ pub fn product<const D: usize>(
                 false => [0.0; D],
             };
         });
-        sweep_down(chain, out, loads.bodies.iter(), |load| (*load, [0.0; D]));
+        coordinates_of_forces(chain, &loads.bodies, out);
         add_joint_stiffness(chain, a.stiffness, x, out);
         return;
     }
@@ -100,6 +98,15 @@ pub(super) fn inertia_forces<'a, const D: usize>(
         };
     });
     &loads.bodies
+}
+
+/// out = Gᵀ Jᵀ f for the forces f on the bodies.
+pub(super) fn coordinates_of_forces<const D: usize>(
+    chain: &Chain<D>,
+    forces: &[[f64; D]],
+    out: &mut [f64],
+) {
+    sweep_down(chain, out, forces.iter(), |force| (*force, [0.0; D]));
 }
 
 /// (mass M + foundation S) v of one body.

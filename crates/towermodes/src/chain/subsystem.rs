@@ -3,7 +3,7 @@
 use super::articulated::{self, Elimination};
 use super::curves::ChainCurves;
 use super::energies;
-use super::inverse_step::factorize_and_solve;
+use super::inverse_step::inverse_step;
 use super::joint::JointFlexibility;
 use super::model::Chain;
 use super::product::{self, Loads};
@@ -91,10 +91,18 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
         articulated::solve(&self.chain, &self.factors, x);
     }
 
-    fn inverse_step(&mut self, a: &Coefficients, x: &mut [f64]) -> Option<(usize, Energies)> {
-        let forces = product::inertia_forces(&self.chain, &mut self.loads, x);
-        let factors = &mut self.factors;
-        Some(factorize_and_solve(&self.chain, a, forces, factors, x))
+    fn inverse_step(
+        &mut self,
+        a: Option<&Coefficients>,
+        x: &mut [f64],
+    ) -> Option<(usize, Energies)> {
+        let Self {
+            chain,
+            loads,
+            factors,
+            ..
+        } = self;
+        Some(inverse_step(chain, a, loads, factors, x))
     }
 
     fn energy(&mut self, a: &Coefficients, x: &[f64]) -> f64 {

@@ -11,6 +11,7 @@ mod vector;
 
 pub(crate) use certificate::{CountCheck, verify};
 pub use error::EigenError;
+pub(crate) use pencil::inverse_step_by_parts;
 pub use pencil::{Pencil, ShiftInvert};
 pub(crate) use refine::{OF_ESTIMATES, Refinement, refine};
 

@@ -53,19 +53,27 @@ pub trait ShiftInvert: Pencil {
     /// xᵀ K x and xᵀ M x.
     fn energies(&mut self, x: &[f64]) -> [f64; 2];
 
-    /// One step of inverse iteration: factors K − `shift`·M, and x ← (K − shift·M)⁻¹ M x. The
-    /// number of eigenvalues below `shift` (rad²/s²), and the energies of the new x. `load` is
-    /// memory to work in, as long as x.
-    fn inverse_step(&mut self, shift: f64, x: &mut [f64], load: &mut [f64]) -> (usize, [f64; 2]) {
-        let count = self.factorize_shifted(shift);
-        (count, self.inverse_step_again(x, load))
-    }
+    /// One step of inverse iteration: x ← (K − σM)⁻¹ M x, factored first if a shift σ (rad²/s²) is
+    /// given, else with the last σ. The number of eigenvalues below σ (0 if it is not factored), and
+    /// the energies of the new x. `load` is memory to work in, as long as x.
+    fn inverse_step(
+        &mut self,
+        shift: Option<f64>,
+        x: &mut [f64],
+        load: &mut [f64],
+    ) -> (usize, [f64; 2]);
+}
 
-    /// The same with the factors of the last [`inverse_step`](Self::inverse_step).
-    fn inverse_step_again(&mut self, x: &mut [f64], load: &mut [f64]) -> [f64; 2] {
-        self.mass_times(x, load);
-        x.copy_from_slice(load);
-        self.solve_shifted(x);
-        self.energies(x)
-    }
+/// [`ShiftInvert::inverse_step`] from the other operations.
+pub(crate) fn inverse_step_by_parts(
+    pencil: &mut impl ShiftInvert,
+    shift: Option<f64>,
+    x: &mut [f64],
+    load: &mut [f64],
+) -> (usize, [f64; 2]) {
+    let count = shift.map_or(0, |shift| pencil.factorize_shifted(shift));
+    pencil.mass_times(x, load);
+    x.copy_from_slice(load);
+    pencil.solve_shifted(x);
+    (count, pencil.energies(x))
 }

@@ -146,10 +146,10 @@ impl Refinement {
             let is_near = (quotient - shift).abs() <= NEAR * gap * quotient;
             *products += 1;
             if is_near {
-                energies = pencil.inverse_step_again(x, load);
+                (_, energies) = pencil.inverse_step(None, x, load);
             } else {
                 shift = quotient;
-                (count, energies) = pencil.inverse_step(shift, x, load);
+                (count, energies) = pencil.inverse_step(Some(shift), x, load);
             }
             let lambda = energies[0] / energies[1];
             let squared = mass / energies[1] - (lambda - shift) * (lambda - shift);

@@ -72,11 +72,16 @@ pub trait Subsystem: Send + Sync {
     /// x ← A⁻¹ x, with the matrix factored last.
     fn solve(&mut self, x: &mut [f64]);
 
-    /// One step of inverse iteration: factors A, and x ← A⁻¹ M x for the inertia M. The number of
-    /// negative eigenvalues of A, and xᵀ A x for each of the matrices of the new x. None, and no
-    /// effect, where this takes as long as [`product`](Self::product),
-    /// [`factorize`](Self::factorize), [`solve`](Self::solve) and [`energies`](Self::energies).
-    fn inverse_step(&mut self, _a: &Coefficients, _x: &mut [f64]) -> Option<(usize, Energies)> {
+    /// One step of inverse iteration: x ← A⁻¹ M x for the inertia M, with A factored first if it is
+    /// given, else with the matrix factored last. The number of negative eigenvalues of A (0 if it
+    /// is not factored), and xᵀ A x for each of the matrices of the new x. None, and no effect,
+    /// where this takes as long as [`factorize`](Self::factorize), [`product`](Self::product),
+    /// [`solve`](Self::solve) and [`energies`](Self::energies).
+    fn inverse_step(
+        &mut self,
+        _a: Option<&Coefficients>,
+        _x: &mut [f64],
+    ) -> Option<(usize, Energies)> {
         None
     }
 

@@ -1,7 +1,7 @@
 //! A subsystem as an eigenvalue problem.
 
 use super::{Coefficients, Subsystem};
-use crate::eigen::{Pencil, ShiftInvert};
+use crate::eigen::{Pencil, ShiftInvert, inverse_step_by_parts};
 
 /// Of which two matrices the eigenvalues are sought.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -166,19 +166,22 @@ impl ShiftInvert for SubsystemPencil<'_> {
         [&self.stiffness, &self.mass].map(|matrix| energies.of(matrix))
     }
 
-    fn inverse_step(&mut self, shift: f64, x: &mut [f64], load: &mut [f64]) -> (usize, [f64; 2]) {
-        let shifted = self.stiffness.minus(shift, self.mass);
+    fn inverse_step(
+        &mut self,
+        shift: Option<f64>,
+        x: &mut [f64],
+        load: &mut [f64],
+    ) -> (usize, [f64; 2]) {
+        let shifted = shift.map(|shift| self.stiffness.minus(shift, self.mass));
         let is_vibration = self.mass == Coefficients::MASS;
-        if is_vibration && let Some((count, energies)) = self.subsystem.inverse_step(&shifted, x) {
-            if let Some(observer) = &mut self.observer {
-                observer.count_product();
-            }
-            return (
-                count,
-                [&self.stiffness, &self.mass].map(|matrix| energies.of(matrix)),
-            );
+        let step = is_vibration.then(|| self.subsystem.inverse_step(shifted.as_ref(), x));
+        let Some((count, energies)) = step.flatten() else {
+            return inverse_step_by_parts(self, shift, x, load);
+        };
+        if let Some(observer) = &mut self.observer {
+            observer.count_product();
         }
-        let count = self.factorize_shifted(shift);
-        (count, self.inverse_step_again(x, load))
+        let of = |matrix| energies.of(matrix);
+        (count, [&self.stiffness, &self.mass].map(of))
     }
 }

@@ -123,7 +123,7 @@ pub enum FrameWarning {
     },
     /// A density that is probably in t/m³.
     #[error(
-        "member {name}{}: density is {} kg/m3; no structural material has so little; steel has 7850; the unit is kg/m3",
+        "member {name}{}: the density is {} kg/m3, less than that of any structural material (steel: 7850); the unit is kg/m3",
         and_others(*.others), Plain(*.density_kg_per_m3)
     )]
     UnusualDensity {
