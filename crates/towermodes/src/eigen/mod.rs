@@ -143,6 +143,11 @@ impl EigenWorkspace {
         (above < lambda && lambda <= self.gap_end).then_some(self.eigenvalues.len())
     }
 
+    /// Notes that a count proved that no eigenvalue beyond those of the list is below `gap_end`.
+    pub(crate) fn prove_gap(&mut self, gap_end: f64) {
+        self.gap_end = gap_end;
+    }
+
     /// Begins with an empty list; a count proved that no eigenvalue is below `gap_end`.
     pub(crate) fn begin_empty(&mut self, gap_end: f64) {
         self.eigenvalues.clear();

@@ -124,6 +124,7 @@ impl Solver {
         } = workspace;
         let mut modes = Guesses::default();
         modes.take(&keys, base, model, spectrum);
+        modes.set_listed(&keys[..options.modes.min(keys.len())]);
         workspace.base = Some(modes);
         Ok(())
     }

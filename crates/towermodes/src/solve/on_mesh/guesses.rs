@@ -26,6 +26,8 @@ pub(crate) struct Guesses {
 struct OfSubsystem {
     /// Number of modes with guesses: all that are followed, or none.
     count: usize,
+    /// Number of modes in the list of the tower.
+    listed: usize,
     motions: Motions,
     forces: Vec<InternalForces>,
     /// The eigenvalues of the modes where they were taken, rad²/s².
@@ -70,6 +72,13 @@ impl Guesses {
             if forces.all(&mut take) {
                 guesses.count = count;
             }
+        }
+    }
+
+    /// Notes the keys of the modes that are listed.
+    pub(crate) fn set_listed(&mut self, keys: &[ModeKey]) {
+        for (index, guesses) in self.subsystems.iter_mut().enumerate() {
+            guesses.listed = followed(keys, index);
         }
     }
 
@@ -123,6 +132,10 @@ impl Guesses {
 }
 
 impl SimilarModes for Guesses {
+    fn listed(&self, subsystem: usize) -> usize {
+        self.subsystems.get(subsystem).map_or(0, |of| of.listed)
+    }
+
     fn lowest(
         &mut self,
         model: &mut Model,

@@ -61,6 +61,9 @@ pub(crate) struct Proof {
 
 /// The modes of a similar tower, from which those of the present one are found.
 pub(crate) trait SimilarModes {
+    /// How many modes of a subsystem are in the list of the similar tower.
+    fn listed(&self, subsystem: usize) -> usize;
+
     /// The `wanted` lowest modes of a subsystem, as accurate as those of the Lanczos process, if
     /// the modes of the similar tower lead to them.
     fn lowest(
@@ -132,17 +135,81 @@ impl Spectrum {
 
     /// Solves for at least the `wanted` lowest modes of all subsystems together, from the modes of
     /// a similar tower where there are any; returns all found, sorted.
-    ///
-    /// The first subsystem, which has the bending fore-aft and so is the softest, is solved first;
-    /// its highest mode bounds how many the others must give.
     pub(crate) fn solve(
         &mut self,
         model: &mut Model,
         wanted: usize,
         mut base: Option<&mut dyn SimilarModes>,
     ) -> Result<Vec<Found>, EigenError> {
+        self.reserve(model);
         self.statistics = Statistics::default();
+        let is_as_base = base
+            .as_deref_mut()
+            .is_some_and(|base| self.solve_as_base(model, wanted, base));
         self.is_guessed = true;
+        if !is_as_base {
+            self.solve_from_first(model, wanted, base)?;
+        }
+        let of_subsystems = self.of_subsystems.iter_mut().take(model.count());
+        for (index, workspace) in of_subsystems.enumerate() {
+            align(model, index, REPEATED, workspace);
+        }
+        Ok(self.sorted(model))
+    }
+
+    /// Solves each subsystem for as many modes as the list of a similar tower has of it. False if
+    /// these are not found, or if the `wanted` lowest modes are others.
+    fn solve_as_base(
+        &mut self,
+        model: &mut Model,
+        wanted: usize,
+        base: &mut dyn SimilarModes,
+    ) -> bool {
+        for index in 0..model.count() {
+            let listed = base.listed(index);
+            let workspace = &mut self.of_subsystems[index];
+            workspace.begin_empty(0.0);
+            match base.lowest(model, index, listed, workspace) {
+                Some(statistics) => self.statistics += statistics,
+                None => return false,
+            }
+        }
+        let found = self.sorted(model);
+        let last = found.get(wanted - 1).map(|found| found.eigenvalue.lambda);
+        self.recycle(found);
+        // Just above this frequency, so that a mode equal to it is counted.
+        let above = last.map(|last| (last - model.origin) * (1.0 + REPEATED));
+        above.is_some_and(|above| (0..model.count()).all(|index| self.has_all(model, index, above)))
+    }
+
+    /// Whether all modes of a subsystem below μ, rad²/s², are found.
+    fn has_all(&mut self, model: &mut Model, index: usize, above: f64) -> bool {
+        let list = &mut self.of_subsystems[index];
+        let known = list.eigenvalues();
+        let (count, last) = (known.len(), known.last().map_or(0.0, |e| e.lambda));
+        if above < last || list.proved_count(above).is_some() {
+            return true;
+        }
+        // If there is none either up to the end of the gap above the list, the proof of the list
+        // needs no further count.
+        let gap_end = above * (1.0 + MARGINS[0]);
+        if count_of(model, index, gap_end) == count {
+            list.prove_gap(gap_end);
+            return true;
+        }
+        count_of(model, index, above) == count
+    }
+
+    /// Solves for at least the `wanted` lowest modes of all subsystems together.
+    ///
+    /// The first subsystem, which has the bending fore-aft and so is the softest, is solved first;
+    /// its highest mode bounds how many the others must give.
+    fn solve_from_first(
+        &mut self,
+        model: &mut Model,
+        wanted: usize,
+        mut base: Option<&mut dyn SimilarModes>,
+    ) -> Result<(), EigenError> {
         let all_first = model.subsystem(0).degrees_of_freedom();
         // Side-side bending is as soft, or nearly, and gives the other half.
         let is_alone = model.count() == 1;
@@ -174,15 +241,7 @@ impl Spectrum {
                 base.as_deref_mut().map(|base| base as _),
             )?;
         }
-        for (index, workspace) in self
-            .of_subsystems
-            .iter_mut()
-            .take(model.count())
-            .enumerate()
-        {
-            align(model, index, REPEATED, workspace);
-        }
-        Ok(self.sorted(model))
+        Ok(())
     }
 
     /// Counts how many modes each subsystem has below the highest mode found of the first. More
