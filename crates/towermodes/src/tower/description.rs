@@ -259,12 +259,11 @@ impl Default for TowerDescription {
 impl TowerDescription {
     /// As it is, with a frame whose members have their materials and added mass.
     pub(super) fn with_complete_frame(mut self) -> Self {
-        let mut water = self.water;
-        if let (Some(water), Some(ground)) = (&mut water, &self.ground) {
-            // Scour lowers the seabed.
-            let before_m = water.bed_m.unwrap_or(ground.surface_m);
-            water.bed_m = Some(before_m - ground.scour.total_m());
-        }
+        let lowered = |water| match &self.ground {
+            Some(ground) => ground.lowered(water),
+            None => water,
+        };
+        let water = self.water.map(lowered);
         if let Foundation::Frame(frame) = &mut self.foundation {
             frame.complete(&self.materials, water.as_ref());
         }

@@ -1,5 +1,6 @@
 //! Soil in layers as its user describes it.
 
+use super::super::parts::surroundings::Water;
 use super::layer::GroundLayer;
 use crate::inputs::{Input, Inputs, Limit, Named, names};
 
@@ -116,6 +117,16 @@ impl Ground {
     /// local scour.
     pub fn scoured_surface_m(&self) -> f64 {
         self.surface_m - self.scour.general_m - self.scour.local_m
+    }
+
+    /// The water where scour has lowered the seabed: without a given one the surface of the ground.
+    pub(in crate::tower) fn lowered(&self, water: Water) -> Water {
+        let before_m = water.bed_m.unwrap_or(self.surface_m);
+        let depth_m = self.surface_m - self.scoured_surface_m();
+        Water {
+            bed_m: Some(before_m - depth_m),
+            ..water
+        }
     }
 }
 

@@ -102,8 +102,7 @@ pub(in crate::tower) fn with_rows(
         }
     }
     if let Some(water) = &mut description.water {
-        let before_m = water.bed_m.unwrap_or(ground.surface_m);
-        water.bed_m = Some(before_m - (ground.surface_m - ground.scoured_surface_m()));
+        *water = ground.lowered(*water);
     }
     description.ground = None;
     description

@@ -159,6 +159,11 @@ impl Water {
     pub const SEA_KG_PER_M3: f64 = 1025.0;
     /// Added mass coefficient of a cylinder in potential flow.
     pub const CYLINDER: f64 = 1.0;
+
+    /// The height of the seabed, m: without a given one that of the lowest station.
+    pub(crate) fn bed_above_m(&self, lowest_station_m: f64) -> f64 {
+        self.bed_m.unwrap_or(lowest_station_m)
+    }
 }
 
 /// Taut wires from one height of the tower to the ground, equally spaced around it.

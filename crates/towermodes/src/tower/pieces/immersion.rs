@@ -26,7 +26,7 @@ pub(super) fn fronts_m(description: &TowerDescription, base_m: f64) -> Vec<f64> 
     let added = description.added_mass.iter().flatten();
     let mut fronts_m: Vec<f64> = soil.chain(added.map(|row| row.height_m)).collect();
     if let Some(water) = &description.water {
-        fronts_m.extend([water.level_m, water.bed_m.unwrap_or(base_m)]);
+        fronts_m.extend([water.level_m, water.bed_above_m(base_m)]);
     }
     fronts_m
 }
@@ -130,7 +130,7 @@ fn environment(description: &TowerDescription, base_m: f64, piece: &Piece) -> En
         let quarter = water.density_kg_per_m3 * std::f64::consts::FRAC_PI_4;
         let middle_m = 0.5 * (piece.base_m + piece.top_m);
         let is_under = |bed_m: f64| bed_m <= middle_m && middle_m <= water.level_m;
-        if is_under(water.bed_m.unwrap_or(base_m)) {
+        if is_under(water.bed_above_m(base_m)) {
             environment.outside_kg_per_m3 = quarter * water.added_mass_coefficient;
         }
         if water.flooded && is_under(base_m) {
@@ -171,5 +171,5 @@ fn around<'a, R>(
 
 /// Whether any part of the tower is below the water level and above the bed.
 pub(crate) fn reaches(water: &Water, base_m: f64, top_m: f64) -> bool {
-    water.level_m > base_m && water.bed_m.unwrap_or(base_m) < top_m
+    water.level_m > base_m && water.bed_above_m(base_m) < top_m
 }

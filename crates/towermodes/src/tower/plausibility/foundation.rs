@@ -102,7 +102,7 @@ fn bed_off_footing(
     let Some(water) = given.water else { return };
     let embedment_m = form.buried().surface_above_base_m();
     let surface_m = tower.base_m() + embedment_m;
-    let bed_m = water.bed_m.unwrap_or(tower.base_m());
+    let bed_m = water.bed_above_m(tower.base_m());
     let is_off = (bed_m - surface_m).abs() > SAME_HEIGHT_M;
     if embedment_m > 0.0 && is_off && water.level_m > surface_m {
         warnings.push(Warning::BedOffFooting {

@@ -135,7 +135,7 @@ fn check_rows(
 fn check_water(water: &Water, base_m: f64, top_m: f64) -> Result<(), TowerError> {
     let at = |key| Place::Water { key };
     check_inputs(water, at)?;
-    let bed_m = water.bed_m.unwrap_or(base_m);
+    let bed_m = water.bed_above_m(base_m);
     let level_m = water.level_m;
     if water.bed_m.is_some() && bed_m >= level_m {
         return error(at("bed"), Problem::BedAboveWater { bed_m, level_m });
