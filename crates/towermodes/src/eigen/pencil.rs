@@ -54,8 +54,8 @@ pub trait ShiftInvert: Pencil {
     fn energies(&mut self, x: &[f64]) -> [f64; 2];
 
     /// One step of inverse iteration: x ← (K − σM)⁻¹ M x, factored first if a shift σ (rad²/s²) is
-    /// given, else with the last σ. The number of eigenvalues below σ (0 if it is not factored), and
-    /// the energies of the new x. `load` is memory to work in, as long as x.
+    /// given, else with the last σ. The number of eigenvalues below σ (0 if it is not factored),
+    /// and the energies of the new x. `load` is memory to work in, as long as x.
     fn inverse_step(
         &mut self,
         shift: Option<f64>,

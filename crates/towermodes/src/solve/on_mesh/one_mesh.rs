@@ -29,7 +29,7 @@ pub(crate) fn solve_cut(
     tower: &Tower,
     cut: &Cut,
     options: &Options,
-    base: Option<&mut dyn SimilarModes>,
+    mut base: Option<&mut dyn SimilarModes>,
     workspace: &mut Workspace,
 ) -> Result<Vec<Found>, SolveError> {
     let cost = Cost::of(tower, cut, options);
@@ -60,7 +60,13 @@ pub(crate) fn solve_cut(
         model.degrees_of_freedom(),
     )?;
     find_origin(tower, model)?;
-    let solved = spectrum.solve(model, options.modes, base);
+    let as_base = base
+        .as_deref_mut()
+        .and_then(|base| spectrum.solve_as_base(model, options.modes, base));
+    let solved = match as_base {
+        Some(found) => Ok(found),
+        None => spectrum.solve(model, options.modes, base),
+    };
     let is_slow = |found: &Found| found.eigenvalue.frequency_hz() < SLOW_HZ;
     let is_doubtful = solved
         .as_ref()

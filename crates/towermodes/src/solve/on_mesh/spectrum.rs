@@ -133,53 +133,28 @@ impl Spectrum {
             .resize_with(most, EigenWorkspace::default);
     }
 
-    /// Solves for at least the `wanted` lowest modes of all subsystems together, from the modes of
-    /// a similar tower where there are any; returns all found, sorted.
-    pub(crate) fn solve(
-        &mut self,
-        model: &mut Model,
-        wanted: usize,
-        mut base: Option<&mut dyn SimilarModes>,
-    ) -> Result<Vec<Found>, EigenError> {
-        self.reserve(model);
-        self.statistics = Statistics::default();
-        let is_as_base = base
-            .as_deref_mut()
-            .is_some_and(|base| self.solve_as_base(model, wanted, base));
-        self.is_guessed = true;
-        if !is_as_base {
-            self.solve_from_first(model, wanted, base)?;
-        }
-        let of_subsystems = self.of_subsystems.iter_mut().take(model.count());
-        for (index, workspace) in of_subsystems.enumerate() {
-            align(model, index, REPEATED, workspace);
-        }
-        Ok(self.sorted(model))
-    }
-
-    /// Solves each subsystem for as many modes as the list of a similar tower has of it. False if
-    /// these are not found, or if the `wanted` lowest modes are others.
-    fn solve_as_base(
+    /// Solves each subsystem for as many modes as the list of a similar tower has of it; returns
+    /// all found, sorted. None if these are not found, or if the `wanted` lowest modes are others.
+    pub(crate) fn solve_as_base(
         &mut self,
         model: &mut Model,
         wanted: usize,
         base: &mut dyn SimilarModes,
-    ) -> bool {
+    ) -> Option<Vec<Found>> {
+        self.reserve(model);
+        self.statistics = Statistics::default();
+        self.is_guessed = true;
         for index in 0..model.count() {
-            let listed = base.listed(index);
             let workspace = &mut self.of_subsystems[index];
             workspace.begin_empty(0.0);
-            match base.lowest(model, index, listed, workspace) {
-                Some(statistics) => self.statistics += statistics,
-                None => return false,
-            }
+            self.statistics += base.lowest(model, index, base.listed(index), workspace)?;
         }
-        let found = self.sorted(model);
-        let last = found.get(wanted - 1).map(|found| found.eigenvalue.lambda);
-        self.recycle(found);
+        let found = self.aligned(model);
+        let last = found.get(wanted.checked_sub(1)?)?.eigenvalue.lambda - model.origin;
         // Just above this frequency, so that a mode equal to it is counted.
-        let above = last.map(|last| (last - model.origin) * (1.0 + REPEATED));
-        above.is_some_and(|above| (0..model.count()).all(|index| self.has_all(model, index, above)))
+        let above = last * (1.0 + REPEATED);
+        let is_whole = (0..model.count()).all(|index| self.has_all(model, index, above));
+        is_whole.then_some(found)
     }
 
     /// Whether all modes of a subsystem below μ, rad²/s², are found.
@@ -200,16 +175,19 @@ impl Spectrum {
         count_of(model, index, above) == count
     }
 
-    /// Solves for at least the `wanted` lowest modes of all subsystems together.
+    /// Solves for at least the `wanted` lowest modes of all subsystems together, from the modes of
+    /// a similar tower where there are any; returns all found, sorted.
     ///
     /// The first subsystem, which has the bending fore-aft and so is the softest, is solved first;
     /// its highest mode bounds how many the others must give.
-    fn solve_from_first(
+    pub(crate) fn solve(
         &mut self,
         model: &mut Model,
         wanted: usize,
         mut base: Option<&mut dyn SimilarModes>,
-    ) -> Result<(), EigenError> {
+    ) -> Result<Vec<Found>, EigenError> {
+        self.statistics = Statistics::default();
+        self.is_guessed = true;
         let all_first = model.subsystem(0).degrees_of_freedom();
         // Side-side bending is as soft, or nearly, and gives the other half.
         let is_alone = model.count() == 1;
@@ -241,7 +219,16 @@ impl Spectrum {
                 base.as_deref_mut().map(|base| base as _),
             )?;
         }
-        Ok(())
+        Ok(self.aligned(model))
+    }
+
+    /// All modes found, with repeated ones in the directions of the motions.
+    fn aligned(&mut self, model: &mut Model) -> Vec<Found> {
+        let of_subsystems = self.of_subsystems.iter_mut().take(model.count());
+        for (index, workspace) in of_subsystems.enumerate() {
+            align(model, index, REPEATED, workspace);
+        }
+        self.sorted(model)
     }
 
     /// Counts how many modes each subsystem has below the highest mode found of the first. More
