@@ -129,12 +129,15 @@ impl EigenWorkspace {
         &self.vectors[index]
     }
 
-    /// The sum of the eigenvectors, each divided by its eigenvalue; none without eigenvalues.
+    /// The sum of the eigenvectors, each times the lowest eigenvalue over its own; none without
+    /// eigenvalues.
     pub(crate) fn sum_of_vectors(&self) -> Option<Vec<f64>> {
-        let mut sum = vec![0.0; self.vectors.first()?.len()];
-        let factors: Vec<f64> = self.eigenvalues.iter().map(|e| 1.0 / e.lambda).collect();
+        let lowest = self.eigenvalues.first()?.lambda;
+        let factors = self.eigenvalues.iter().map(|e| lowest / e.lambda);
+        let factors: Vec<f64> = factors.collect();
+        let mut sum = vec![0.0; self.vectors[0].len()];
         vector::add_combination(&self.vectors[..factors.len()], &factors, &mut sum);
-        (!factors.is_empty()).then_some(sum)
+        Some(sum)
     }
 
     /// The number of eigenvalues below λ, if the proof of the last list gives it.
