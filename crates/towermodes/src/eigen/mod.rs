@@ -13,7 +13,7 @@ pub(crate) use certificate::{CountCheck, verify};
 pub use error::EigenError;
 pub(crate) use pencil::inverse_step_by_parts;
 pub use pencil::{Pencil, ShiftInvert};
-pub(crate) use refine::{OF_ESTIMATES, Refinement, refine};
+pub(crate) use refine::{OF_ESTIMATES, Refinement, are_apart, refine};
 
 use std::f64::consts::TAU;
 

@@ -3,7 +3,8 @@
 use super::model::Model;
 use super::spectrum::{ModeKey, SimilarModes, Spectrum};
 use crate::eigen::{
-    EigenWorkspace, Eigenvalue, OF_ESTIMATES, Refinement, Statistics, lowest_near, refine,
+    EigenWorkspace, Eigenvalue, OF_ESTIMATES, Refinement, Statistics, are_apart, lowest_near,
+    refine,
 };
 use crate::subsystem::InternalForces;
 use crate::tower::{Motions, Tower};
@@ -16,6 +17,8 @@ const CERTAIN: f64 = 1e6;
 #[derive(Debug, Default)]
 pub(crate) struct Guesses {
     subsystems: Vec<OfSubsystem>,
+    /// Whether there are guesses of all modes that are listed, none near another.
+    leads_to_list: bool,
     /// Heights where forces may jump, m.
     jumps_m: Vec<f64>,
     refinement: Refinement,
@@ -80,6 +83,8 @@ impl Guesses {
         for (index, guesses) in self.subsystems.iter_mut().enumerate() {
             guesses.listed = followed(keys, index);
         }
+        let leads = |of: &OfSubsystem| of.listed <= of.count && are_apart(&of.known, of.listed);
+        self.leads_to_list = self.subsystems.iter().all(leads);
     }
 
     /// The `wanted` lowest eigenvalues of a subsystem on the present mesh, if the guesses lead to
@@ -108,6 +113,7 @@ impl Guesses {
             subsystems,
             jumps_m,
             refinement,
+            ..
         } = self;
         let guesses = subsystems.get(index)?;
         let subsystem = model.subsystem(index);
@@ -132,8 +138,9 @@ impl Guesses {
 }
 
 impl SimilarModes for Guesses {
-    fn listed(&self, subsystem: usize) -> usize {
-        self.subsystems.get(subsystem).map_or(0, |of| of.listed)
+    fn listed(&self, subsystem: usize) -> Option<usize> {
+        let listed = self.subsystems.get(subsystem).map_or(0, |of| of.listed);
+        self.leads_to_list.then_some(listed)
     }
 
     fn lowest(

@@ -61,8 +61,9 @@ pub(crate) struct Proof {
 
 /// The modes of a similar tower, from which those of the present one are found.
 pub(crate) trait SimilarModes {
-    /// How many modes of a subsystem are in the list of the similar tower.
-    fn listed(&self, subsystem: usize) -> usize;
+    /// How many modes of a subsystem are in the list of the similar tower; none if not all of its
+    /// listed modes lead to others.
+    fn listed(&self, subsystem: usize) -> Option<usize>;
 
     /// The `wanted` lowest modes of a subsystem, as accurate as those of the Lanczos process, if
     /// the modes of the similar tower lead to them.
@@ -145,9 +146,10 @@ impl Spectrum {
         self.statistics = Statistics::default();
         self.is_guessed = true;
         for index in 0..model.count() {
+            let listed = base.listed(index)?;
             let workspace = &mut self.of_subsystems[index];
             workspace.begin_empty(0.0);
-            self.statistics += base.lowest(model, index, base.listed(index), workspace)?;
+            self.statistics += base.lowest(model, index, listed, workspace)?;
         }
         let found = self.aligned(model);
         let last = found.get(wanted.checked_sub(1)?)?.eigenvalue.lambda - model.origin;
