@@ -8,7 +8,7 @@ use super::on_mesh::cut::Cut;
 use super::on_mesh::guesses::Guesses;
 use super::on_mesh::listing::list;
 use super::on_mesh::one_mesh::solve_cut;
-use super::on_mesh::spectrum::{Found, ModeKey, SimilarModes};
+use super::on_mesh::spectrum::{Found, ModeKey, SimilarModes, with_repeats};
 use super::request::options::Options;
 use super::results::frequencies::Frequencies;
 use super::results::warnings::is_uncertain_end;
@@ -124,7 +124,8 @@ impl Solver {
         } = workspace;
         let mut modes = Guesses::default();
         modes.take(&keys, base, model, spectrum);
-        modes.set_listed(&keys[..options.modes.min(keys.len())]);
+        let listed = with_repeats(&found, options.modes.min(found.len()), model.origin);
+        modes.set_listed(&keys[..listed]);
         workspace.base = Some(modes);
         Ok(())
     }

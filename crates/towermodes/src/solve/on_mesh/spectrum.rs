@@ -309,10 +309,7 @@ impl Spectrum {
         let (last, origin) = (&found[listed - 1], model.origin);
         // Distances are relative to the origin of the spectrum.
         let lambda = last.eigenvalue.lambda - origin;
-        let repeats = found[listed..]
-            .iter()
-            .take_while(|next| next.repeats(last, origin));
-        let expected = listed + repeats.count();
+        let expected = with_repeats(found, listed, origin);
         let count_below = |shift| self.count_proved(model, shift + origin);
         match verify(lambda, expected, &MARGINS, count_below) {
             CountCheck::Complete { margin } => Ok(Proof {
@@ -340,6 +337,15 @@ impl Spectrum {
         }
         sum
     }
+}
+
+/// How many modes a list of `listed` modes has with those that repeat its last one.
+pub(crate) fn with_repeats(found: &[Found], listed: usize, origin: f64) -> usize {
+    let last = &found[listed - 1];
+    let repeats = found[listed..]
+        .iter()
+        .take_while(|next| next.repeats(last, origin));
+    listed + repeats.count()
 }
 
 /// Number of modes of a subsystem below μ, counted from the beginning of the spectrum, rad²/s².
