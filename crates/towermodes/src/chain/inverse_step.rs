@@ -10,8 +10,8 @@ use crate::subsystem::{Coefficients, Energies};
 /// x ← A⁻¹ M x, with A factored first if it is given, else with the factors of the last A. The
 /// number of negative eigenvalues of A (0 if it is not factored), and the energies of the new x.
 ///
-/// The forces and the right-hand side go down with the elimination, the energies up with the
-/// motion: what one waits for is computed while the other waits.
+/// The pass down computes the right-hand side with the elimination, the pass up the energies with
+/// the motions: the processor overlaps the operations that do not depend on each other.
 pub fn inverse_step<const D: usize>(
     chain: &Chain<D>,
     a: Option<&Coefficients>,

@@ -11,9 +11,8 @@ use super::pencil::Pencil;
 use super::tridiagonal::diagonalize;
 use super::vector::{add_combination, dot, fill_pseudo_random, project, scale};
 
-/// A Ritz value counts as converged when its residual estimate is below a tolerance, relative to
-/// itself, or below this, relative to the largest Ritz value: no product is more accurate than
-/// that.
+/// The smallest permitted residual of a Ritz value, relative to the largest Ritz value: no product
+/// is more accurate.
 const FLOOR: f64 = 2.0 * f64::EPSILON;
 /// A projected matrix up to this size is diagonalized at once with its eigenvectors.
 const SMALL: usize = 64;

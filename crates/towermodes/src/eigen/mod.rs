@@ -11,9 +11,8 @@ mod vector;
 
 pub(crate) use certificate::{CountCheck, verify};
 pub use error::EigenError;
-pub(crate) use pencil::inverse_step_by_parts;
 pub use pencil::{Pencil, ShiftInvert};
-pub(crate) use refine::{OF_ESTIMATES, Refinement, are_apart, refine};
+pub(crate) use refine::{OF_ESTIMATES, Refinement, refine};
 
 use std::f64::consts::TAU;
 
@@ -151,10 +150,10 @@ impl EigenWorkspace {
         self.gap_end = gap_end;
     }
 
-    /// Begins with an empty list; a count proved that no eigenvalue is below `gap_end`.
-    pub(crate) fn begin_empty(&mut self, gap_end: f64) {
+    /// Begins with an empty list, of which nothing is proved.
+    pub(crate) fn begin_empty(&mut self) {
         self.eigenvalues.clear();
-        self.gap_end = gap_end;
+        self.gap_end = 0.0;
     }
 
     /// Replaces the eigenvectors `first..first + count`, which have one eigenvalue, by orthonormal
@@ -316,7 +315,7 @@ pub fn lowest(
     if wanted == 0 {
         return Ok(Statistics::default());
     }
-    workspace.begin_empty(0.0);
+    workspace.begin_empty();
     factorize(pencil)?;
     workspace.lanczos.reset(size, OF_VECTORS);
     let (mut wanted, mut restarts) = (wanted, 0);
@@ -359,7 +358,7 @@ pub(crate) fn lowest_near(
     if wanted > pencil.size() {
         return None;
     }
-    workspace.begin_empty(0.0);
+    workspace.begin_empty();
     if !refine(pencil, known, wanted, refine::OF_LISTS, refinement) {
         return None;
     }
@@ -408,7 +407,7 @@ pub(crate) fn least(
     workspace: &mut EigenWorkspace,
 ) -> Result<f64, EigenError> {
     factorize(pencil)?;
-    workspace.begin_empty(0.0);
+    workspace.begin_empty();
     workspace.lanczos.reset(pencil.size(), LEAST);
     let mut below = 0;
     for restarts in 0..=MAX_RESTARTS {

@@ -61,19 +61,19 @@ pub trait ShiftInvert: Pencil {
         shift: Option<f64>,
         x: &mut [f64],
         load: &mut [f64],
-    ) -> (usize, [f64; 2]);
-}
+    ) -> (usize, [f64; 2]) {
+        if let Some(step) = self.fused_step(shift, x) {
+            return step;
+        }
+        let count = shift.map_or(0, |shift| self.factorize_shifted(shift));
+        self.mass_times(x, load);
+        x.copy_from_slice(load);
+        self.solve_shifted(x);
+        (count, self.energies(x))
+    }
 
-/// [`ShiftInvert::inverse_step`] from the other operations.
-pub(crate) fn inverse_step_by_parts(
-    pencil: &mut impl ShiftInvert,
-    shift: Option<f64>,
-    x: &mut [f64],
-    load: &mut [f64],
-) -> (usize, [f64; 2]) {
-    let count = shift.map_or(0, |shift| pencil.factorize_shifted(shift));
-    pencil.mass_times(x, load);
-    x.copy_from_slice(load);
-    pencil.solve_shifted(x);
-    (count, pencil.energies(x))
+    /// The same in fewer passes over the model; none, and no effect, where there is no such way.
+    fn fused_step(&mut self, _shift: Option<f64>, _x: &mut [f64]) -> Option<(usize, [f64; 2])> {
+        None
+    }
 }

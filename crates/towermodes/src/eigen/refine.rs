@@ -64,7 +64,7 @@ pub(crate) fn refine(
     workspace: &mut Refinement,
 ) -> bool {
     workspace.reset(pencil.size(), wanted);
-    if !are_apart(known, wanted) {
+    if (0..wanted).any(|index| relative_gap(known, index) < NEAREST) {
         return false;
     }
     let mut is_complete = false;
@@ -97,12 +97,6 @@ pub(crate) fn refine(
                 verify(last, wanted, margins, count),
                 CountCheck::Complete { .. }
             ))
-}
-
-/// Whether none of the `wanted` lowest eigenvalues is so near to another that [`refine`] leaves it
-/// to the Lanczos process.
-pub(crate) fn are_apart(known: &[f64], wanted: usize) -> bool {
-    (0..wanted).all(|index| relative_gap(known, index) >= NEAREST)
 }
 
 /// The relative distance of an eigenvalue to its neighbours.

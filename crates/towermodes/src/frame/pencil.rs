@@ -4,7 +4,7 @@ use super::elimination::Factors;
 use super::equations::{ELASTIC, Equations, GEOMETRIC, GROUND, INERTIA, KINDS};
 use super::order::Order;
 use super::product::Sweep;
-use crate::eigen::{Pencil, ShiftInvert, inverse_step_by_parts};
+use crate::eigen::{Pencil, ShiftInvert};
 
 /// The pencil K − σ M, M of a frame for an origin σ (rad²/s²).
 #[derive(Debug, Clone)]
@@ -135,14 +135,5 @@ impl ShiftInvert for FramePencil {
             self.energy(stiffness_minus(self.origin), x),
             self.energy(mass(), x),
         ]
-    }
-
-    fn inverse_step(
-        &mut self,
-        shift: Option<f64>,
-        x: &mut [f64],
-        load: &mut [f64],
-    ) -> (usize, [f64; 2]) {
-        inverse_step_by_parts(self, shift, x, load)
     }
 }

@@ -72,7 +72,7 @@ impl Solver {
     /// Frequencies differ from those of [`solve`](Self::solve) by at most 10⁻¹³ relative, shares of
     /// the energy by at most 10⁻⁶. The base has no effect with [`Bmodes`](crate::Method::Bmodes)
     /// and [`Spectral`](crate::Method::Spectral), with an added mass that depends on frequency, and
-    /// for floating towers without stiffness in some direction.
+    /// if two of its frequencies in one group of coupled motions are nearly equal.
     ///
     /// # Errors
     /// [`SolveError`], if the base cannot be solved. Later towers are then solved without a base.
@@ -124,12 +124,13 @@ impl Solver {
         } = workspace;
         let mut modes = Guesses::default();
         modes.take(&keys, base, model, spectrum);
-        // Rigid-body modes of a floating tower are so near to each other that this seldom succeeds.
-        if !base.base().floats {
-            let listed = with_repeats(&found, options.modes.min(found.len()), model.origin);
-            modes.set_listed(&keys[..listed]);
-        }
-        workspace.base = Some(modes);
+        let listed = with_repeats(&found, options.modes.min(found.len()), model.origin);
+        modes.set_listed(&keys[..listed]);
+        // If they do not lead to their own list, because two frequencies are nearly equal, they do
+        // not lead to that of a similar tower.
+        let own = solve_listed(base, &cut, options, Some(&mut modes), workspace);
+        let leads = own.is_ok() && workspace.spectrum.is_guessed;
+        workspace.base = leads.then_some(modes);
         Ok(())
     }
 }

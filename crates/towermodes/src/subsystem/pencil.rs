@@ -1,7 +1,7 @@
 //! A subsystem as an eigenvalue problem.
 
 use super::{Coefficients, Subsystem};
-use crate::eigen::{Pencil, ShiftInvert, inverse_step_by_parts};
+use crate::eigen::{Pencil, ShiftInvert};
 
 /// Of which two matrices the eigenvalues are sought.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -166,22 +166,16 @@ impl ShiftInvert for SubsystemPencil<'_> {
         [&self.stiffness, &self.mass].map(|matrix| energies.of(matrix))
     }
 
-    fn inverse_step(
-        &mut self,
-        shift: Option<f64>,
-        x: &mut [f64],
-        load: &mut [f64],
-    ) -> (usize, [f64; 2]) {
+    fn fused_step(&mut self, shift: Option<f64>, x: &mut [f64]) -> Option<(usize, [f64; 2])> {
+        if self.mass != Coefficients::MASS {
+            return None;
+        }
         let shifted = shift.map(|shift| self.stiffness.minus(shift, self.mass));
-        let is_vibration = self.mass == Coefficients::MASS;
-        let step = is_vibration.then(|| self.subsystem.inverse_step(shifted.as_ref(), x));
-        let Some((count, energies)) = step.flatten() else {
-            return inverse_step_by_parts(self, shift, x, load);
-        };
+        let (count, energies) = self.subsystem.inverse_step(shifted.as_ref(), x)?;
         if let Some(observer) = &mut self.observer {
             observer.count_product();
         }
         let of = |matrix| energies.of(matrix);
-        (count, [&self.stiffness, &self.mass].map(of))
+        Some((count, [&self.stiffness, &self.mass].map(of)))
     }
 }

@@ -259,10 +259,8 @@ impl Default for TowerDescription {
 impl TowerDescription {
     /// As it is, with a frame whose members have their materials and added mass.
     pub(super) fn with_complete_frame(mut self) -> Self {
-        let lowered = |water| match &self.ground {
-            Some(ground) => ground.lowered(water),
-            None => water,
-        };
+        let ground = self.ground.as_ref();
+        let lowered = |water| ground.map_or(water, |ground| ground.lowered(water));
         let water = self.water.map(lowered);
         if let Foundation::Frame(frame) = &mut self.foundation {
             frame.complete(&self.materials, water.as_ref());

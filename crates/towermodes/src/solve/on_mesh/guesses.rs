@@ -3,8 +3,7 @@
 use super::model::Model;
 use super::spectrum::{ModeKey, SimilarModes, Spectrum};
 use crate::eigen::{
-    EigenWorkspace, Eigenvalue, OF_ESTIMATES, Refinement, Statistics, are_apart, lowest_near,
-    refine,
+    EigenWorkspace, Eigenvalue, OF_ESTIMATES, Refinement, Statistics, lowest_near, refine,
 };
 use crate::subsystem::InternalForces;
 use crate::tower::{Motions, Tower};
@@ -17,8 +16,8 @@ const CERTAIN: f64 = 1e6;
 #[derive(Debug, Default)]
 pub(crate) struct Guesses {
     subsystems: Vec<OfSubsystem>,
-    /// Whether there are guesses of all modes that are listed, none near another.
-    leads_to_list: bool,
+    /// How many modes of each subsystem are listed.
+    listed: Vec<usize>,
     /// Heights where forces may jump, m.
     jumps_m: Vec<f64>,
     refinement: Refinement,
@@ -29,8 +28,6 @@ pub(crate) struct Guesses {
 struct OfSubsystem {
     /// Number of modes with guesses: all that are followed, or none.
     count: usize,
-    /// Number of modes in the list of the tower.
-    listed: usize,
     motions: Motions,
     forces: Vec<InternalForces>,
     /// The eigenvalues of the modes where they were taken, rad²/s².
@@ -80,11 +77,8 @@ impl Guesses {
 
     /// Notes the keys of the modes that are listed.
     pub(crate) fn set_listed(&mut self, keys: &[ModeKey]) {
-        for (index, guesses) in self.subsystems.iter_mut().enumerate() {
-            guesses.listed = followed(keys, index);
-        }
-        let leads = |of: &OfSubsystem| of.listed <= of.count && are_apart(&of.known, of.listed);
-        self.leads_to_list = self.subsystems.iter().all(leads);
+        let listed = (0..self.subsystems.len()).map(|index| followed(keys, index));
+        self.listed = listed.collect();
     }
 
     /// The `wanted` lowest eigenvalues of a subsystem on the present mesh, if the guesses lead to
@@ -138,9 +132,8 @@ impl Guesses {
 }
 
 impl SimilarModes for Guesses {
-    fn listed(&self, subsystem: usize) -> Option<usize> {
-        let listed = self.subsystems.get(subsystem).map_or(0, |of| of.listed);
-        self.leads_to_list.then_some(listed)
+    fn listed(&self) -> &[usize] {
+        &self.listed
     }
 
     fn lowest(

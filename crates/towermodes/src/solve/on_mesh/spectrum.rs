@@ -61,9 +61,8 @@ pub(crate) struct Proof {
 
 /// The modes of a similar tower, from which those of the present one are found.
 pub(crate) trait SimilarModes {
-    /// How many modes of a subsystem are in the list of the similar tower; none if not all of its
-    /// listed modes lead to others.
-    fn listed(&self, subsystem: usize) -> Option<usize>;
+    /// How many modes of each subsystem are in the list of the similar tower.
+    fn listed(&self) -> &[usize];
 
     /// The `wanted` lowest modes of a subsystem, as accurate as those of the Lanczos process, if
     /// the modes of the similar tower lead to them.
@@ -146,9 +145,9 @@ impl Spectrum {
         self.statistics = Statistics::default();
         self.is_guessed = true;
         for index in 0..model.count() {
-            let listed = base.listed(index)?;
+            let listed = *base.listed().get(index)?;
             let workspace = &mut self.of_subsystems[index];
-            workspace.begin_empty(0.0);
+            workspace.begin_empty();
             self.statistics += base.lowest(model, index, listed, workspace)?;
         }
         let found = self.aligned(model);
@@ -161,20 +160,10 @@ impl Spectrum {
 
     /// Whether all modes of a subsystem below μ, rad²/s², are found.
     fn has_all(&mut self, model: &mut Model, index: usize, above: f64) -> bool {
-        let list = &mut self.of_subsystems[index];
-        let known = list.eigenvalues();
-        let (count, last) = (known.len(), known.last().map_or(0.0, |e| e.lambda));
-        if above < last || list.proved_count(above).is_some() {
-            return true;
-        }
-        // If there is none either up to the end of the gap above the list, the proof of the list
-        // needs no further count.
-        let gap_end = above * (1.0 + MARGINS[0]);
-        if count_of(model, index, gap_end) == count {
-            list.prove_gap(gap_end);
-            return true;
-        }
-        count_of(model, index, above) == count
+        let known = self.eigenvalues_of(index);
+        let count = known.len();
+        let reaches = known.last().is_some_and(|last| above < last.lambda);
+        reaches || self.count_up_to(model, index, above) == count
     }
 
     /// Solves for at least the `wanted` lowest modes of all subsystems together, from the modes of
@@ -244,24 +233,28 @@ impl Spectrum {
         self.wanted.clear();
         self.wanted.push(found.len());
         for index in 1..model.count() {
+            self.of_subsystems[index].begin_empty();
             let count = self.count_up_to(model, index, above);
             self.wanted.push(count.min(wanted));
         }
     }
 
-    /// The number of modes of a subsystem below μ, rad²/s². Torsion and axial motion mostly have
-    /// none there; if they have none either up to the end of the gap above the list, the proof of
-    /// the list needs no further count.
+    /// The number of modes of a subsystem below μ, rad²/s². If those found are all up to the end of
+    /// the gap above, which is mostly so, the proof of the list needs no further count. Bending
+    /// modes that are not sought yet are mostly in the gap.
     fn count_up_to(&mut self, model: &mut Model, index: usize, above: f64) -> usize {
+        let list = &mut self.of_subsystems[index];
+        let known = list.eigenvalues().len();
+        if list.proved_count(above).is_some() {
+            return known;
+        }
         let gap_end = above * (1.0 + MARGINS[0]);
         let bends = model.motions(index).iter().any(Motion::bends);
-        let is_empty = !bends && count_of(model, index, gap_end) == 0;
-        let workspace = &mut self.of_subsystems[index];
-        workspace.begin_empty(if is_empty { gap_end } else { 0.0 });
-        match is_empty {
-            true => 0,
-            false => count_of(model, index, above),
+        if (known > 0 || !bends) && count_of(model, index, gap_end) == known {
+            list.prove_gap(gap_end);
+            return known;
         }
+        count_of(model, index, above)
     }
 
     /// All modes found, by frequency; of a repeated pair the fore-aft mode first.
