@@ -113,6 +113,7 @@ mod eigen;
 mod elements;
 pub mod frame;
 pub mod inputs;
+mod lanes;
 mod method;
 pub mod modes;
 pub mod mooring;

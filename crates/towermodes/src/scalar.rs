@@ -1,4 +1,4 @@
-//! Real and complex numbers as entries of matrices: the operations needed by the elimination.
+//! Numbers as entries of vectors and matrices: real, complex, or several side by side.
 
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
@@ -34,11 +34,8 @@ impl Complex {
     }
 }
 
-/// An entry of a Hermitian matrix: real, or complex.
-///
-/// A matrix that is real is then symmetric, and its conjugate transpose is its transpose, so that
-/// one algorithm serves both.
-pub trait Scalar:
+/// An entry of a vector or matrix.
+pub trait Number:
     Copy
     + Default
     + Add<Output = Self>
@@ -46,11 +43,20 @@ pub trait Scalar:
     + Mul<Output = Self>
     + AddAssign
     + SubAssign
-    + Sum
 {
     /// A real number.
     fn real(value: f64) -> Self;
 
+    /// The product with a real number.
+    #[must_use]
+    fn times(self, factor: f64) -> Self;
+}
+
+/// An entry of a Hermitian matrix: real, or complex.
+///
+/// A matrix that is real is then symmetric, and its conjugate transpose is its transpose, so that
+/// one algorithm serves both.
+pub trait Scalar: Number + Sum {
     /// The real part.
     fn re(self) -> f64;
 
@@ -58,21 +64,24 @@ pub trait Scalar:
     #[must_use]
     fn conj(self) -> Self;
 
-    /// The product with a real number.
-    #[must_use]
-    fn times(self, factor: f64) -> Self;
-
     /// The quotient by a real number.
     #[must_use]
     fn over(self, divisor: f64) -> Self;
 }
 
-impl Scalar for f64 {
-    #[inline]
+impl Number for f64 {
+    #[inline(always)]
     fn real(value: f64) -> Self {
         value
     }
 
+    #[inline(always)]
+    fn times(self, factor: f64) -> Self {
+        self * factor
+    }
+}
+
+impl Scalar for f64 {
     #[inline]
     fn re(self) -> f64 {
         self
@@ -81,11 +90,6 @@ impl Scalar for f64 {
     #[inline]
     fn conj(self) -> Self {
         self
-    }
-
-    #[inline]
-    fn times(self, factor: f64) -> Self {
-        self * factor
     }
 
     #[inline]
@@ -94,12 +98,19 @@ impl Scalar for f64 {
     }
 }
 
-impl Scalar for Complex {
+impl Number for Complex {
     #[inline]
     fn real(value: f64) -> Self {
         Self::new(value, 0.0)
     }
 
+    #[inline]
+    fn times(self, factor: f64) -> Self {
+        Self::new(self.re * factor, self.im * factor)
+    }
+}
+
+impl Scalar for Complex {
     #[inline]
     fn re(self) -> f64 {
         self.re
@@ -108,11 +119,6 @@ impl Scalar for Complex {
     #[inline]
     fn conj(self) -> Self {
         Self::new(self.re, -self.im)
-    }
-
-    #[inline]
-    fn times(self, factor: f64) -> Self {
-        Self::new(self.re * factor, self.im * factor)
     }
 
     #[inline]

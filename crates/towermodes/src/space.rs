@@ -17,7 +17,7 @@
 //!
 //! Any other D is a compile-time error.
 
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 pub use crate::symmetric::eigenpairs;
 
 /// One entry of the rigid-body transformation X(h) = 1 + h·Σ sign·e_moved e_byᵀ.
@@ -73,7 +73,7 @@ pub type SpatialMatrix = Matrix<6>;
 
 /// Replaces a motion v by the motion X v of the point `rise_m` above (m, rad).
 #[inline]
-pub fn transform_motion<const D: usize, S: Scalar>(motion: &mut [S; D], rise_m: f64) {
+pub fn transform_motion<const D: usize, S: Number>(motion: &mut [S; D], rise_m: f64) {
     for lever in const { levers(D) } {
         let by = motion[lever.by];
         motion[lever.moved] += by.times(lever.sign * rise_m);
@@ -82,7 +82,7 @@ pub fn transform_motion<const D: usize, S: Scalar>(motion: &mut [S; D], rise_m: 
 
 /// Replaces a force f by its equivalent Xᵀ f at the point `rise_m` below (N, N m).
 #[inline]
-pub fn transform_force<const D: usize, S: Scalar>(force: &mut [S; D], rise_m: f64) {
+pub fn transform_force<const D: usize, S: Number>(force: &mut [S; D], rise_m: f64) {
     for lever in const { levers(D) } {
         let moved = force[lever.moved];
         force[lever.by] += moved.times(lever.sign * rise_m);
@@ -100,7 +100,7 @@ pub fn transform_force<const D: usize, S: Scalar>(force: &mut [S; D], rise_m: f6
 /// assert_eq!(inertia, [[2.0, 6.0], [6.0, 18.0]]);
 /// ```
 #[inline]
-pub fn transform_matrix<const D: usize, S: Scalar>(matrix: &mut SquareMatrix<S, D>, rise_m: f64) {
+pub fn transform_matrix<const D: usize, S: Number>(matrix: &mut SquareMatrix<S, D>, rise_m: f64) {
     for row in matrix.iter_mut() {
         transform_force(row, rise_m);
     }
@@ -114,12 +114,12 @@ pub fn transform_matrix<const D: usize, S: Scalar>(matrix: &mut SquareMatrix<S, 
 
 /// The product of a symmetric matrix and a vector.
 #[inline]
-pub fn times<const D: usize>(matrix: &Matrix<D>, vector: &[f64; D]) -> [f64; D] {
-    let mut product = [0.0; D];
+pub fn times<const D: usize, S: Number>(matrix: &Matrix<D>, vector: &[S; D]) -> [S; D] {
+    let mut product = [S::default(); D];
     // By columns, which are the rows: no sum along a row, so the components go in step.
     for (column, x) in matrix.iter().zip(vector) {
         for (sum, entry) in product.iter_mut().zip(column) {
-            *sum += entry * x;
+            *sum += x.times(*entry);
         }
     }
     product
@@ -127,18 +127,22 @@ pub fn times<const D: usize>(matrix: &Matrix<D>, vector: &[f64; D]) -> [f64; D] 
 
 /// Adds `addend` to `sum`, component by component.
 #[inline]
-pub fn add<const D: usize>(sum: &mut [f64; D], addend: &[f64; D]) {
+pub fn add<const D: usize, S: Number>(sum: &mut [S; D], addend: &[S; D]) {
     for (s, a) in sum.iter_mut().zip(addend) {
-        *s += a;
+        *s += *a;
     }
 }
 
 /// Adds `factor` times `addend` to `sum`, entry by entry.
 #[inline]
-pub fn add_scaled<const D: usize>(sum: &mut Matrix<D>, factor: f64, addend: &Matrix<D>) {
+pub fn add_scaled<const D: usize, S: Number>(
+    sum: &mut SquareMatrix<S, D>,
+    factor: S,
+    addend: &Matrix<D>,
+) {
     for (sum, addend) in sum.iter_mut().zip(addend) {
         for (s, a) in sum.iter_mut().zip(addend) {
-            *s += factor * a;
+            *s += factor.times(*a);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A result that is written while it is computed.
 
 use std::fs::File;
-use std::io::{self, ErrorKind, IsTerminal, Write};
+use std::io::{self, ErrorKind, IsTerminal, Stdout, Write};
 use std::path::Path;
 
 use towermodes_report::wording::printable;
@@ -22,7 +22,7 @@ pub(crate) struct Streamed {
 enum Target {
     File(Staged),
     Stream(File),
-    Standard(Box<dyn Write + Send>),
+    Standard(Stdout),
     /// A terminal: control characters are replaced.
     Terminal(Box<dyn Write + Send>),
 }
@@ -42,7 +42,8 @@ impl Streamed {
         let done = match self.target {
             Target::File(staged) => staged.finish(),
             Target::Stream(mut file) => file.flush(),
-            Target::Standard(mut out) | Target::Terminal(mut out) => out.flush(),
+            Target::Standard(mut out) => out.flush(),
+            Target::Terminal(mut out) => out.flush(),
         };
         match done {
             Ok(()) => Ok(()),
@@ -71,7 +72,7 @@ fn target(output: Option<&Path>) -> io::Result<Target> {
             false if io::stdout().is_terminal() => {
                 Ok(Target::Terminal(Box::new(anstream::stdout())))
             }
-            false => Ok(Target::Standard(Box::new(anstream::stdout()))),
+            false => Ok(Target::Standard(io::stdout())),
         };
     };
     Ok(match Place::of(path)? {
@@ -99,7 +100,8 @@ impl Write for Streamed {
         match &mut self.target {
             Target::File(staged) => staged.flush(),
             Target::Stream(file) => file.flush(),
-            Target::Standard(out) | Target::Terminal(out) => out.flush(),
+            Target::Standard(out) => out.flush(),
+            Target::Terminal(out) => out.flush(),
         }
     }
 }

@@ -8,7 +8,7 @@ use super::product::{base_motion, sweep_down};
 use super::strain::Strain;
 use super::substitution::solve_under;
 use super::subsystem::BeamSubsystem;
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number, Scalar};
 use crate::space::{SpatialMatrix, SquareMatrix};
 use crate::subsystem::Coefficients;
 use crate::tower::Plane;

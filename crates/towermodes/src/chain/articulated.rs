@@ -17,8 +17,10 @@
 //! is the number of eigenvalues below σ: a Sturm count in O(n).
 
 use super::model::{Chain, Link};
+use crate::lanes::Lanes;
+use crate::scalar::Number;
 use crate::space::{
-    Matrix, add, add_scaled, levers, transform_force, transform_matrix, transform_motion,
+    Matrix, SquareMatrix, add_scaled, levers, transform_force, transform_matrix, transform_motion,
 };
 use crate::subsystem::Coefficients;
 
@@ -28,16 +30,16 @@ const TINY_PIVOT: f64 = 1e-30;
 
 /// One eliminated spring.
 #[derive(Debug, Clone, Copy)]
-pub struct Elimination<const D: usize> {
+pub struct Elimination<const D: usize, T = f64> {
     /// 1/δ of the pivot δ.
-    inverse: f64,
+    inverse: T,
     /// Column P e before the elimination.
-    column: [f64; D],
+    column: [T; D],
 }
 
 /// The number of negative eigenvalues of a matrix A of the chain; nothing is stored.
 pub fn count_negative<const D: usize>(chain: &Chain<D>, a: &Coefficients) -> usize {
-    eliminate(chain, a, &mut ())
+    eliminate(chain, a, a.mass, &mut ()) as usize
 }
 
 /// Factors a matrix A of the chain into `factors` and returns the number of its negative
@@ -48,41 +50,43 @@ pub fn factorize<const D: usize>(
     factors: &mut Vec<Elimination<D>>,
 ) -> usize {
     factors.clear();
-    eliminate(chain, a, factors)
+    eliminate(chain, a, a.mass, factors) as usize
 }
 
 /// What uses the eliminated springs, from the tip down.
-pub(super) trait Eliminations<const D: usize> {
+pub(super) trait Eliminations<const D: usize, T> {
     /// The springs of this joint are the next; it is `rise_m` below the joint before.
     #[inline(always)]
     fn begin(&mut self, _joint: usize, _link: &Link<D>, _rise_m: f64) {}
 
     /// The next spring of the joint, of this component and root.
-    fn take(&mut self, component: usize, root: f64, elimination: Elimination<D>);
+    fn take(&mut self, component: usize, root: f64, elimination: Elimination<D, T>);
 }
 
-impl<const D: usize> Eliminations<D> for () {
+impl<const D: usize, T> Eliminations<D, T> for () {
     #[inline(always)]
-    fn take(&mut self, _component: usize, _root: f64, _elimination: Elimination<D>) {}
+    fn take(&mut self, _component: usize, _root: f64, _elimination: Elimination<D, T>) {}
 }
 
-impl<const D: usize> Eliminations<D> for Vec<Elimination<D>> {
+impl<const D: usize, T> Eliminations<D, T> for Vec<Elimination<D, T>> {
     #[inline(always)]
-    fn take(&mut self, _component: usize, _root: f64, elimination: Elimination<D>) {
+    fn take(&mut self, _component: usize, _root: f64, elimination: Elimination<D, T>) {
         self.push(elimination);
     }
 }
 
-/// Eliminates every spring from the tip down, and returns how many pivots are negative.
+/// Eliminates every spring from the tip down, and returns how many pivots are negative. `mass` is
+/// the coefficient of the inertia, which may be different in each lane.
 #[inline]
-pub(super) fn eliminate<const D: usize>(
+pub(super) fn eliminate<const D: usize, T: Lanes>(
     chain: &Chain<D>,
     a: &Coefficients,
-    eliminations: &mut impl Eliminations<D>,
-) -> usize {
-    let mut p = [[0.0; D]; D];
+    mass: T,
+    eliminations: &mut impl Eliminations<D, T>,
+) -> T {
+    let mut p = [[T::default(); D]; D];
     let mut above_m = 0.0;
-    let mut negative = 0;
+    let mut negative = T::default();
     let has_geometric = a.geometric != 0.0;
     for (joint, (link, inertia)) in chain.links.iter().zip(&chain.inertias).enumerate().rev() {
         let rise_m = above_m - link.height_m;
@@ -90,7 +94,7 @@ pub(super) fn eliminate<const D: usize>(
         eliminations.begin(joint, link, rise_m);
         above_m = link.height_m;
         if link.has_body {
-            add_body(chain, a, joint, inertia, &mut p);
+            add_body(chain, (a, mass), joint, inertia, &mut p);
         }
         if has_geometric {
             add_geometric(link, a.geometric, &mut p);
@@ -100,16 +104,16 @@ pub(super) fn eliminate<const D: usize>(
             let root = link.root[component];
             if root != 0.0 {
                 let mut column = p[component];
-                let mut pivot = spring + root * root * column[component];
-                if pivot.abs() < TINY_PIVOT {
-                    pivot = -TINY_PIVOT;
-                }
-                negative += usize::from(pivot < 0.0);
-                let inverse = 1.0 / pivot;
+                let pivot = T::real(spring) + column[component].times(root * root);
+                let pivot = pivot.off_zero(TINY_PIVOT);
+                negative += pivot.is_negative();
+                let inverse = pivot.inverse();
                 let spring = (spring, root, inverse);
                 if has_geometric {
                     let p_delta = p_delta(link, a.geometric, component);
-                    add(&mut column, &p_delta);
+                    for (entry, p_delta) in column.iter_mut().zip(p_delta) {
+                        *entry += T::real(p_delta);
+                    }
                     update_pressed(&mut p, component, &column, &p_delta, spring);
                 } else {
                     update(&mut p, component, &column, spring);
@@ -123,14 +127,14 @@ pub(super) fn eliminate<const D: usize>(
 
 /// P ← P − p pᵀ g²/δ after the elimination of one spring k of root g.
 #[inline(always)]
-fn update<const D: usize>(
-    matrix: &mut Matrix<D>,
+fn update<const D: usize, T: Number>(
+    matrix: &mut SquareMatrix<T, D>,
     component: usize,
-    column: &[f64; D],
-    (spring, root, inverse): (f64, f64, f64),
+    column: &[T; D],
+    (spring, root, inverse): (f64, f64, T),
 ) {
-    let fraction = spring * inverse;
-    subtract_square(matrix, component, column, root * root * inverse);
+    let fraction = inverse.times(spring);
+    subtract_square(matrix, component, column, inverse.times(root * root));
     // In the spring's own row and column p − p p_e g²/δ is p k/δ: no cancellation when the spring
     // is soft.
     for k in 0..D {
@@ -143,19 +147,19 @@ fn update<const D: usize>(
 /// As above, if a compression couples the spring with a rotation by `p_delta`, which is part of the
 /// column.
 #[inline(always)]
-fn update_pressed<const D: usize>(
-    matrix: &mut Matrix<D>,
+fn update_pressed<const D: usize, T: Number>(
+    matrix: &mut SquareMatrix<T, D>,
     component: usize,
-    column: &[f64; D],
+    column: &[T; D],
     p_delta: &[f64; D],
-    (spring, root, inverse): (f64, f64, f64),
+    (spring, root, inverse): (f64, f64, T),
 ) {
-    let factor = root * root * inverse;
+    let factor = inverse.times(root * root);
     let own = matrix[component];
     subtract_square(matrix, component, column, factor);
-    let (fraction, slid) = (spring * inverse, own[component] * factor);
+    let (fraction, slid) = (inverse.times(spring), own[component] * factor);
     for k in 0..D {
-        let entry = own[k] * fraction - p_delta[k] * slid;
+        let entry = own[k] * fraction - slid.times(p_delta[k]);
         matrix[component][k] = entry;
         matrix[k][component] = entry;
     }
@@ -163,11 +167,11 @@ fn update_pressed<const D: usize>(
 
 /// Subtracts `factor` c cᵀ from a symmetric matrix, except in one row and column.
 #[inline(always)]
-fn subtract_square<const D: usize>(
-    matrix: &mut Matrix<D>,
+fn subtract_square<const D: usize, T: Number>(
+    matrix: &mut SquareMatrix<T, D>,
     component: usize,
-    column: &[f64; D],
-    factor: f64,
+    column: &[T; D],
+    factor: T,
 ) {
     for i in 0..D {
         for j in 0..D {
@@ -180,28 +184,32 @@ fn subtract_square<const D: usize>(
 
 /// P ← P + mass M + foundation S of one body.
 #[inline]
-fn add_body<const D: usize>(
+fn add_body<const D: usize, T: Lanes>(
     chain: &Chain<D>,
-    a: &Coefficients,
+    (a, mass): (&Coefficients, T),
     joint: usize,
     inertia: &Matrix<D>,
-    p: &mut Matrix<D>,
+    p: &mut SquareMatrix<T, D>,
 ) {
-    if a.mass != 0.0 {
-        add_scaled(p, a.mass, inertia);
+    if !mass.are_zero() {
+        add_scaled(p, mass, inertia);
     }
     if a.foundation != 0.0
         && let Some(foundation) = chain.foundation.get(joint)
     {
-        add_scaled(p, a.foundation, foundation);
+        add_scaled(p, T::real(a.foundation), foundation);
     }
 }
 
 /// P ← P + geometric G of one body.
 #[inline]
-fn add_geometric<const D: usize>(link: &Link<D>, geometric: f64, p: &mut Matrix<D>) {
+fn add_geometric<const D: usize, T: Number>(
+    link: &Link<D>,
+    geometric: f64,
+    p: &mut SquareMatrix<T, D>,
+) {
     for lever in const { levers(D) } {
-        p[lever.by][lever.by] -= geometric * link.geometric_n_m;
+        p[lever.by][lever.by] -= T::real(geometric * link.geometric_n_m);
     }
 }
 
@@ -267,13 +275,13 @@ pub(super) fn bias_down<const D: usize>(
 
 /// Passes to `body` each joint with the motion of the body above and its own coordinates.
 #[inline(always)]
-pub(super) fn motion_up<const D: usize>(
+pub(super) fn motion_up<const D: usize, T: Number>(
     chain: &Chain<D>,
-    factors: &[Elimination<D>],
-    x: &mut [f64],
-    mut body: impl FnMut(usize, &Link<D>, &[f64; D], &[f64]),
+    factors: &[Elimination<D, T>],
+    x: &mut [T],
+    mut body: impl FnMut(usize, &Link<D>, &[T; D], &[T]),
 ) {
-    let mut motion = [0.0; D];
+    let mut motion = [T::default(); D];
     let mut below_m = 0.0;
     let (mut rest, mut factors) = (x, factors);
     for (joint, link) in chain.links.iter().enumerate() {
@@ -283,8 +291,8 @@ pub(super) fn motion_up<const D: usize>(
         let (others, eliminations) = factors.split_at(factors.len() - link.moving);
         (rest, factors) = (above, others);
         if let (Ok(own), Ok(springs)) = (
-            <&mut [f64; D]>::try_from(&mut *own),
-            <&[Elimination<D>; D]>::try_from(eliminations),
+            <&mut [T; D]>::try_from(&mut *own),
+            <&[Elimination<D, T>; D]>::try_from(eliminations),
         ) {
             for_components!(D, from_the_last, {
                 let component = D - 1 - from_the_last;
@@ -308,33 +316,33 @@ pub(super) fn motion_up<const D: usize>(
     }
 }
 
-impl<const D: usize> Elimination<D> {
+impl<const D: usize, T: Number> Elimination<D, T> {
     /// u = x − g eᵀb in place of x, then b ← b + p g u/δ, for the spring of a component.
     #[inline(always)]
-    pub(super) fn bias(&self, component: usize, root: f64, x: &mut f64, bias: &mut [f64; D]) {
-        *x -= root * bias[component];
-        let reaction = root * *x * self.inverse;
+    pub(super) fn bias(&self, component: usize, root: f64, x: &mut T, bias: &mut [T; D]) {
+        *x -= bias[component].times(root);
+        let reaction = x.times(root) * self.inverse;
         for (b, p) in bias.iter_mut().zip(&self.column) {
-            *b += p * reaction;
+            *b += *p * reaction;
         }
     }
 
     /// y = (u − g pᵀv)/δ in place of u, then v ← v + e g y, for the spring of a component.
     #[inline(always)]
-    fn release(&self, component: usize, root: f64, x: &mut f64, motion: &mut [f64; D]) {
+    fn release(&self, component: usize, root: f64, x: &mut T, motion: &mut [T; D]) {
         let pull = dot(&self.column, motion);
-        *x = (*x - root * pull) * self.inverse;
-        motion[component] += root * *x;
+        *x = (*x - pull.times(root)) * self.inverse;
+        motion[component] += x.times(root);
     }
 }
 
 /// pᵀv, with even and odd components summed separately: this halves the chain of dependent
 /// additions.
 #[inline]
-fn dot<const D: usize>(p: &[f64; D], v: &[f64; D]) -> f64 {
-    let mut sums = [0.0; 2];
+fn dot<const D: usize, T: Number>(p: &[T; D], v: &[T; D]) -> T {
+    let mut sums = [T::default(); 2];
     for (k, (p, v)) in p.iter().zip(v).enumerate() {
-        sums[k % 2] += p * v;
+        sums[k % 2] += *p * *v;
     }
     sums[0] + sums[1]
 }

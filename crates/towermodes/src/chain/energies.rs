@@ -2,6 +2,8 @@
 
 use super::model::{Chain, Link};
 use super::product::{body_load, free_coordinates, p_delta, sweep_up};
+use crate::lanes::Lanes;
+use crate::scalar::Number;
 use crate::space::{add, times, transform_force};
 use crate::subsystem::{Coefficients, Energies};
 
@@ -94,9 +96,9 @@ fn add_energies<const D: usize>(
 
 /// Adds the work of a load on a motion, by component.
 #[inline(always)]
-fn add_work<const D: usize>(energy: &mut [f64; D], load: &[f64; D], motion: &[f64; D]) {
+fn add_work<const D: usize, T: Number>(energy: &mut [T; D], load: &[T; D], motion: &[T; D]) {
     for ((sum, load), motion) in energy.iter_mut().zip(load).zip(motion) {
-        *sum += load * motion;
+        *sum += *load * *motion;
     }
 }
 
@@ -106,27 +108,28 @@ pub fn energies<const D: usize>(chain: &Chain<D>, x: &[f64]) -> Energies {
     sweep_up(chain, x, 0.., |joint, link, motion, own| {
         sums.add(chain, joint, link, motion, || *own);
     });
-    sums.of(chain, x)
+    let [energies] = sums.of(chain, x);
+    energies
 }
 
 /// The energies of the bodies, by component.
-pub(super) struct EnergySums<const D: usize> {
-    mass: [f64; D],
-    foundation: [f64; D],
-    gravity: [f64; D],
+pub(super) struct EnergySums<const D: usize, T> {
+    mass: [T; D],
+    foundation: [T; D],
+    gravity: [T; D],
 }
 
-impl<const D: usize> Default for EnergySums<D> {
+impl<const D: usize, T: Number> Default for EnergySums<D, T> {
     fn default() -> Self {
         Self {
-            mass: [0.0; D],
-            foundation: [0.0; D],
-            gravity: [0.0; D],
+            mass: [T::default(); D],
+            foundation: [T::default(); D],
+            gravity: [T::default(); D],
         }
     }
 }
 
-impl<const D: usize> EnergySums<D> {
+impl<const D: usize, T: Lanes> EnergySums<D, T> {
     /// Adds the body above a joint, with its motion and the joint's own.
     #[inline(always)]
     pub(super) fn add(
@@ -134,8 +137,8 @@ impl<const D: usize> EnergySums<D> {
         chain: &Chain<D>,
         joint: usize,
         link: &Link<D>,
-        motion: &[f64; D],
-        own: impl Fn() -> [f64; D],
+        motion: &[T; D],
+        own: impl Fn() -> [T; D],
     ) {
         if link.has_body {
             add_work(
@@ -156,15 +159,17 @@ impl<const D: usize> EnergySums<D> {
         }
     }
 
-    /// The energies of a vector whose bodies were added.
-    pub(super) fn of(&self, chain: &Chain<D>, x: &[f64]) -> Energies {
-        let sum = |values: [f64; D]| values.iter().sum();
-        Energies {
-            elastic: squares(&x[free_coordinates(chain)..]),
-            foundation: sum(self.foundation),
-            gravity: sum(self.gravity),
-            mass: sum(self.mass),
-        }
+    /// The energies of the vectors whose bodies were added, one in each lane.
+    pub(super) fn of<const N: usize>(&self, chain: &Chain<D>, x: &[T]) -> [Energies; N] {
+        let sum = |values: [T; D]| values.into_iter().fold(T::default(), T::add);
+        let elastic = squares(&x[free_coordinates(chain)..]);
+        let [foundation, gravity, mass] = [self.foundation, self.gravity, self.mass].map(sum);
+        std::array::from_fn(|lane| Energies {
+            elastic: elastic.lane(lane),
+            foundation: foundation.lane(lane),
+            gravity: gravity.lane(lane),
+            mass: mass.lane(lane),
+        })
     }
 }
 
@@ -185,10 +190,13 @@ pub fn strain_energies<const D: usize>(
 }
 
 /// Σ x², in four running sums.
-fn squares(x: &[f64]) -> f64 {
+fn squares<T: Number>(x: &[T]) -> T {
     let fours = x.chunks_exact(4);
-    let rest: f64 = fours.remainder().iter().map(|x| x * x).sum();
-    let mut sums = [0.0; 4];
+    let mut rest = T::default();
+    for x in fours.remainder() {
+        rest += *x * *x;
+    }
+    let mut sums = [T::default(); 4];
     for x in fours {
         for lane in 0..4 {
             sums[lane] += x[lane] * x[lane];

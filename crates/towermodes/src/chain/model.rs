@@ -1,5 +1,6 @@
 //! The chain: joints with springs, and bodies between them.
 
+use crate::scalar::Number;
 use crate::space::{Matrix, add_scaled, levers, transform_matrix};
 use crate::subsystem::{Coefficients, MatrixKind};
 
@@ -29,12 +30,12 @@ pub struct Link<const D: usize> {
 impl<const D: usize> Link<D> {
     /// G x: the motion of the joint, from its coordinates.
     #[inline(always)]
-    pub(super) fn scaled(&self, coordinates: &[f64]) -> [f64; D] {
-        let mut motion = [0.0; D];
+    pub(super) fn scaled<T: Number>(&self, coordinates: &[T]) -> [T; D] {
+        let mut motion = [T::default(); D];
         // Nearly all joints move in every component, so this case has no branches.
-        if let Ok(all) = <&[f64; D]>::try_from(coordinates) {
+        if let Ok(all) = <&[T; D]>::try_from(coordinates) {
             for component in 0..D {
-                motion[component] = self.root[component] * all[component];
+                motion[component] = all[component].times(self.root[component]);
             }
             return motion;
         }
@@ -43,7 +44,7 @@ impl<const D: usize> Link<D> {
             if self.root[component] != 0.0
                 && let Some(x) = coordinates.next()
             {
-                motion[component] = self.root[component] * x;
+                motion[component] = x.times(self.root[component]);
             }
         });
         motion
@@ -51,7 +52,7 @@ impl<const D: usize> Link<D> {
 
     /// The coordinates of the joint ← Gᵀ f, f given component by component.
     #[inline(always)]
-    pub(super) fn set_scaled(&self, coordinates: &mut [f64], force: impl Fn(usize) -> f64) {
+    pub(super) fn set_scaled(&self, coordinates: &mut [f64], mut force: impl FnMut(usize) -> f64) {
         if let Ok(all) = <&mut [f64; D]>::try_from(&mut *coordinates) {
             for (component, x) in all.iter_mut().enumerate() {
                 *x = self.root[component] * force(component);

@@ -2,6 +2,7 @@
 //! forces.
 
 use super::model::{Chain, Link};
+use crate::scalar::Number;
 use crate::space::{Matrix, add, levers, times, transform_force, transform_motion};
 use crate::subsystem::Coefficients;
 
@@ -20,12 +21,12 @@ pub fn motions<const D: usize>(chain: &Chain<D>, x: &[f64], motions: &mut Vec<[f
 /// Forces on every body, and on the shear deflection of its joint, during a product; reused from
 /// product to product.
 #[derive(Debug, Clone)]
-pub struct Loads<const D: usize> {
-    bodies: Vec<[f64; D]>,
-    deflections: Vec<[f64; D]>,
+pub struct Loads<const D: usize, T = f64> {
+    bodies: Vec<[T; D]>,
+    deflections: Vec<[T; D]>,
 }
 
-impl<const D: usize> Default for Loads<D> {
+impl<const D: usize, T> Default for Loads<D, T> {
     fn default() -> Self {
         Self {
             bodies: Vec::new(),
@@ -84,17 +85,17 @@ pub fn product<const D: usize>(
 }
 
 /// M v of each body.
-pub(super) fn inertia_forces<'a, const D: usize>(
+pub(super) fn inertia_forces<'a, const D: usize, T: Number>(
     chain: &Chain<D>,
-    loads: &'a mut Loads<D>,
-    x: &[f64],
-) -> &'a [[f64; D]] {
-    loads.bodies.resize(chain.joints(), [0.0; D]);
+    loads: &'a mut Loads<D, T>,
+    x: &[T],
+) -> &'a [[T; D]] {
+    loads.bodies.resize(chain.joints(), [T::default(); D]);
     let states = loads.bodies.iter_mut().zip(&chain.inertias);
     sweep_up(chain, x, states, |(load, inertia), link, motion, _| {
         *load = match link.has_body {
             true => times(inertia, motion),
-            false => [0.0; D],
+            false => [T::default(); D],
         };
     });
     &loads.bodies
@@ -138,18 +139,18 @@ pub(super) fn body_load<const D: usize>(
 /// −N δ θ for the shear deflection δ (in `own`) of its joint: those on the body and those on the
 /// deflection.
 #[inline]
-pub(super) fn p_delta<const D: usize>(
+pub(super) fn p_delta<const D: usize, T: Number>(
     link: &Link<D>,
     geometric: f64,
-    motion: &[f64; D],
-    own: &[f64; D],
-) -> ([f64; D], [f64; D]) {
-    let (mut body, mut deflection) = ([0.0; D], [0.0; D]);
+    motion: &[T; D],
+    own: &[T; D],
+) -> ([T; D], [T; D]) {
+    let (mut body, mut deflection) = ([T::default(); D], [T::default(); D]);
     for lever in const { levers(D) } {
         let factor = -geometric * link.compression_n * lever.sign;
-        body[lever.by] -= geometric * link.geometric_n_m * motion[lever.by];
-        body[lever.by] += factor * own[lever.moved];
-        deflection[lever.moved] += factor * motion[lever.by];
+        body[lever.by] -= motion[lever.by].times(geometric * link.geometric_n_m);
+        body[lever.by] += own[lever.moved].times(factor);
+        deflection[lever.moved] += motion[lever.by].times(factor);
     }
     (body, deflection)
 }
@@ -211,13 +212,13 @@ pub fn base_excitation<const D: usize>(chain: &Chain<D>, out: &mut [f64]) {
 /// From the base up: v ← X v + G x, passed to `body` joint by joint, with a state of each joint and
 /// its own G x.
 #[inline]
-pub(super) fn sweep_up<const D: usize, S>(
+pub(super) fn sweep_up<const D: usize, T: Number, S>(
     chain: &Chain<D>,
-    x: &[f64],
+    x: &[T],
     states: impl Iterator<Item = S>,
-    mut body: impl FnMut(S, &Link<D>, &[f64; D], &[f64; D]),
+    mut body: impl FnMut(S, &Link<D>, &[T; D], &[T; D]),
 ) {
-    let mut motion = [0.0; D];
+    let mut motion = [T::default(); D];
     let mut below_m = 0.0;
     let mut rest = x;
     for (link, state) in chain.links.iter().zip(states) {

@@ -1,13 +1,14 @@
 //! A chain as a subsystem, and the chains of a tower.
 
-use super::articulated::{self, Elimination};
+use super::articulated;
 use super::curves::ChainCurves;
 use super::energies;
-use super::inverse_step::inverse_step;
+use super::inverse_step::{StepWorkspace, inverse_step, inverse_steps};
 use super::joint::JointFlexibility;
 use super::model::Chain;
-use super::product::{self, Loads};
+use super::product;
 use super::transfer;
+use crate::lanes::{LANES, Row};
 use crate::space::SpatialMatrix;
 use crate::subsystem::{
     Branch, Coefficients, Coordinates, Energies, InternalForces, JointState, MatrixKind, Resultant,
@@ -20,8 +21,8 @@ use crate::tower::{Axisymmetric, Motions, Tower};
 pub struct ChainSubsystem<const D: usize> {
     coordinates: Coordinates<D>,
     chain: Chain<D>,
-    loads: Loads<D>,
-    factors: Vec<Elimination<D>>,
+    work: StepWorkspace<D, f64>,
+    work_of_lanes: StepWorkspace<D, Row>,
 }
 
 impl<const D: usize> ChainSubsystem<D> {
@@ -30,8 +31,8 @@ impl<const D: usize> ChainSubsystem<D> {
         Self {
             coordinates: Coordinates::new(motions),
             chain,
-            loads: Loads::default(),
-            factors: Vec::new(),
+            work: StepWorkspace::default(),
+            work_of_lanes: StepWorkspace::default(),
         }
     }
 }
@@ -76,7 +77,7 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
     }
 
     fn product(&mut self, a: &Coefficients, x: &[f64], out: &mut [f64]) {
-        product::product(&self.chain, a, &mut self.loads, x, out);
+        product::product(&self.chain, a, &mut self.work.loads, x, out);
     }
 
     fn count_negative(&mut self, a: &Coefficients) -> usize {
@@ -84,11 +85,11 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
     }
 
     fn factorize(&mut self, a: &Coefficients) -> usize {
-        articulated::factorize(&self.chain, a, &mut self.factors)
+        articulated::factorize(&self.chain, a, &mut self.work.factors)
     }
 
     fn solve(&mut self, x: &mut [f64]) {
-        articulated::solve(&self.chain, &self.factors, x);
+        articulated::solve(&self.chain, &self.work.factors, x);
     }
 
     fn inverse_step(
@@ -96,13 +97,15 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
         a: Option<&Coefficients>,
         x: &mut [f64],
     ) -> Option<(usize, Energies)> {
-        let Self {
-            chain,
-            loads,
-            factors,
-            ..
-        } = self;
-        Some(inverse_step(chain, a, loads, factors, x))
+        Some(inverse_step(&self.chain, a, &mut self.work, x))
+    }
+
+    fn inverse_steps(
+        &mut self,
+        a: &[Coefficients; LANES],
+        x: [Option<&mut [f64]>; LANES],
+    ) -> Option<[(usize, Energies); LANES]> {
+        Some(inverse_steps(&self.chain, a, &mut self.work_of_lanes, x))
     }
 
     fn energy(&mut self, a: &Coefficients, x: &[f64]) -> f64 {

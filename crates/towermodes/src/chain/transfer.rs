@@ -15,11 +15,14 @@ pub fn internal_forces<const D: usize>(chain: &Chain<D>, x: &[f64], forces: &mut
             forces.base.extend_from_slice(own);
             continue;
         }
-        let moving = (0..D).filter(|&component| link.root[component] != 0.0);
-        for (component, x) in moving.zip(own) {
-            let force = x / link.root[component];
-            forces.push(component, link.height_m, force);
-        }
+        let mut coordinates = own.iter();
+        for_components!(D, component, {
+            if link.root[component] != 0.0
+                && let Some(x) = coordinates.next()
+            {
+                forces.push(component, link.height_m, x / link.root[component]);
+            }
+        });
     }
 }
 
@@ -41,9 +44,6 @@ pub fn with_internal_forces<const D: usize>(
                 .for_each(|(x, base)| *x = *base);
             continue;
         }
-        let moving = (0..D).filter(|&component| link.root[component] != 0.0);
-        for (component, x) in moving.zip(own) {
-            *x = link.root[component] * readers[component].force(link.height_m);
-        }
+        link.set_scaled(own, |component| readers[component].force(link.height_m));
     }
 }

@@ -12,7 +12,7 @@ mod vector;
 pub(crate) use certificate::{CountCheck, verify};
 pub use error::EigenError;
 pub use pencil::{Pencil, ShiftInvert};
-pub(crate) use refine::{OF_ESTIMATES, Refinement, refine};
+pub(crate) use refine::{OF_ESTIMATES, Refinement, Sought, refine};
 
 use std::f64::consts::TAU;
 
@@ -29,7 +29,7 @@ const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
 const OF_VECTORS: f64 = 1e-13;
 
 /// The relative distances for a list that was found from guesses.
-const WIDE_MARGINS: [f64; 4] = [0.1, 1e-2, 1e-3, 1e-4];
+const WIDE_MARGINS: [f64; 3] = [0.1, 1e-2, 1e-3];
 
 /// With larger residuals relative to the mode the rounding errors of the lowest mode are larger
 /// than the mode. It is below the widest of [`MARGINS`], so one of them is beyond the residuals.
@@ -341,43 +341,46 @@ fn is_usable(lambda: &f64) -> bool {
     (1e-200..1e200).contains(lambda)
 }
 
-/// The results of [`lowest`] from guesses of the vectors, where the eigenvalues of a similar pencil
-/// are `known`. None if the guesses do not lead to a list that is proved complete and accurate;
-/// then [`lowest`] must find it.
+/// The results of [`lowest`] from guesses of the vectors. None if the guesses do not lead to a list
+/// that is proved complete and accurate; then [`lowest`] must find it.
 pub(crate) fn lowest_near(
     pencil: &mut dyn ShiftInvert,
-    known: &[f64],
-    wanted: usize,
+    sought: Sought,
     refinement: &mut Refinement,
     workspace: &mut EigenWorkspace,
 ) -> Option<Statistics> {
-    workspace.eigenvalues.clear();
+    let wanted = sought.wanted;
+    workspace.begin_empty();
     if wanted == 0 {
         return Some(Statistics::default());
     }
     if wanted > pencil.size() {
         return None;
     }
-    workspace.begin_empty();
-    if !refine(pencil, known, wanted, refine::OF_LISTS, refinement) {
-        return None;
-    }
+    let gap_end = refine(pencil, sought, refine::OF_LISTS, refinement)?;
     workspace.adopt(wanted, refinement);
     let last = workspace.lambdas[wanted - 1];
-    // A wide gap proves more digits of the last eigenvalue.
-    let check = verify(last, wanted, &WIDE_MARGINS, |shift| {
-        pencil.count_below(shift)
-    });
-    let CountCheck::Complete { margin } = check else {
-        return None;
-    };
+    let mut margin = gap_end / last - 1.0;
+    if margin < WIDE_MARGINS[0] {
+        // A wide gap proves more digits of the last eigenvalue.
+        let [first, second, third] = WIDE_MARGINS;
+        let mut margins = [sought.gap_ratio - 1.0, first, second, third];
+        margins.sort_unstable_by(|a, b| b.total_cmp(a));
+        let wider = margins.partition_point(|wide| *wide > margin);
+        let wide = verify(last, wanted, &margins[..wider], |shift| {
+            pencil.count_below(shift)
+        });
+        if let CountCheck::Complete { margin: wide } = wide {
+            margin = wide;
+        }
+    }
     let is_accurate = (0..wanted).all(|index| workspace.is_accurate(index, margin));
     if !(workspace.lambdas.iter().all(is_usable) && is_accurate) {
         return None;
     }
     workspace.bound(pencil, margin).ok()?;
     Some(Statistics {
-        products: refinement.products,
+        products: refinement.products(),
         restarts: 0,
     })
 }

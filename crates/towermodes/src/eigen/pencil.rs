@@ -1,5 +1,7 @@
 //! The interface between a model and the eigensolver.
 
+use crate::lanes::LANES;
+
 /// A symmetric eigenvalue problem K u = λ M u with K positive definite; M may be indefinite, then
 /// the eigenvalues are the positive ones.
 ///
@@ -74,6 +76,17 @@ pub trait ShiftInvert: Pencil {
 
     /// The same in fewer passes over the model; none, and no effect, where there is no such way.
     fn fused_step(&mut self, _shift: Option<f64>, _x: &mut [f64]) -> Option<(usize, [f64; 2])> {
+        None
+    }
+
+    /// Steps with shifts of their own, each with a vector, or without one if only the eigenvalues
+    /// below the shift are counted. None, and no effect, where this takes as long as one step after
+    /// the other.
+    fn inverse_steps(
+        &mut self,
+        _shifts: &[f64; LANES],
+        _x: [Option<&mut [f64]>; LANES],
+    ) -> Option<[(usize, [f64; 2]); LANES]> {
         None
     }
 }

@@ -10,9 +10,12 @@
 //! factorization of K − σM counts the eigenvalues below σ; with disjoint intervals ρ ± r this
 //! proves that the list is complete.
 
+use std::ops::Range;
+
 use super::certificate::{CountCheck, beyond, verify};
 use super::pencil::ShiftInvert;
 use super::vector::scale;
+use crate::lanes::LANES;
 
 /// Limit of the steps; a good guess needs fewer.
 const MAX_STEPS: usize = 6;
@@ -28,6 +31,16 @@ const NEAREST: f64 = 1e-4;
 /// The relative gap above the highest eigenvalue known, which decides about one step more.
 const GAP_ABOVE: f64 = 0.1;
 
+/// The `wanted` lowest eigenvalues of a pencil are sought.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sought<'a> {
+    pub(crate) wanted: usize,
+    /// The eigenvalues of a similar pencil.
+    pub(crate) known: &'a [f64],
+    /// The ratio of a number between the last wanted eigenvalue and the next one to the last one.
+    pub(crate) gap_ratio: f64,
+}
+
 /// Guesses of eigenvectors, and the eigenvalues that were found from them.
 #[derive(Debug, Default)]
 pub(crate) struct Refinement {
@@ -37,66 +50,65 @@ pub(crate) struct Refinement {
     pub(crate) lambdas: Vec<f64>,
     /// r/ρ of each eigenvalue.
     pub(super) residuals: Vec<f64>,
-    /// Products with the mass matrix in the last [`refine`].
-    pub(super) products: usize,
+    searches: Vec<Search>,
     load: Vec<f64>,
 }
 
-/// An eigenvalue found.
-struct Refined {
-    /// ρ.
-    lambda: f64,
-    /// r.
-    residual: f64,
-    /// The last shift σ, and how many eigenvalues are below it.
+/// The search for one eigenvalue from the guess of its vector.
+#[derive(Debug, Clone, Copy)]
+struct Search {
+    /// xᵀKx and xᵀMx.
+    energies: [f64; 2],
+    /// The relative distance to the other eigenvalues.
+    gap: f64,
+    /// The last shift σ, and how many eigenvalues are below it. The first shift is NaN, so no
+    /// quotient is near it.
     shift: f64,
     count: usize,
+    steps: usize,
+    /// ρ and r, if r is as small as required.
+    found: Option<(f64, f64)>,
 }
 
-/// Computes the `wanted` lowest eigenvalues from guesses of their vectors, where the eigenvalues of
-/// a similar pencil are `known`, to a relative tolerance. False if the guesses do not lead to a
-/// list that is proved complete: then another process must find it.
+/// Computes the eigenvalues that are sought from guesses of their vectors, to a relative tolerance.
+/// The result is the end of the gap above them, which has no other eigenvalue; none if the guesses
+/// do not lead to a list that is proved complete: then another process must find it.
 pub(crate) fn refine(
     pencil: &mut dyn ShiftInvert,
-    known: &[f64],
-    wanted: usize,
+    sought: Sought,
     tolerance: f64,
     workspace: &mut Refinement,
-) -> bool {
-    workspace.reset(pencil.size(), wanted);
-    if (0..wanted).any(|index| relative_gap(known, index) < NEAREST) {
-        return false;
-    }
-    let mut is_complete = false;
-    let mut end = f64::INFINITY;
+) -> Option<f64> {
+    let wanted = sought.wanted;
+    workspace.begin(pencil, sought)?;
+    let mut counted = None;
+    let mut above = wanted;
     // The highest first: its guess is the worst.
-    for index in (0..wanted).rev() {
-        let gap = relative_gap(known, index);
-        let Some(refined) = workspace.refine_one(pencil, (gap, tolerance), index) else {
-            return false;
-        };
-        let above = refined.lambda + refined.residual;
-        if index + 1 == wanted {
-            is_complete = refined.count == wanted && above < refined.shift;
-        }
-        // Two guesses may lead to one eigenvalue. Its two values differ by rounding, which is not
-        // in the residuals.
-        if above * (1.0 + NEAREST) >= end {
-            return false;
-        }
-        end = refined.lambda - refined.residual;
-        workspace.lambdas[index] = refined.lambda;
-        workspace.residuals[index] = refined.residual / refined.lambda;
+    while above > 0 {
+        // A count beside one step alone would take as long as after it.
+        let ratio = (above == wanted && wanted > 1).then_some(sought.gap_ratio);
+        let lanes = LANES - usize::from(ratio.is_some());
+        let modes = above.saturating_sub(lanes)..above;
+        above = modes.start;
+        let of_gap = workspace.refine_in_step(pencil, modes, ratio, tolerance)?;
+        counted = counted.or(of_gap);
     }
-    let last = workspace.lambdas[wanted - 1];
+    let last = workspace.take_disjoint()?;
+    let reach = last.lambda + last.residual;
+    let gap = counted.filter(|(end, count)| *count == wanted && reach < *end);
+    if let Some((end, _)) = gap {
+        return Some(end);
+    }
+    if last.count == wanted && reach < last.shift {
+        return Some(last.shift);
+    }
     let margins = beyond(workspace.residuals[wanted - 1], &super::MARGINS);
-    let count = |shift| pencil.count_below(shift);
-    end > 0.0
-        && (is_complete
-            || matches!(
-                verify(last, wanted, margins, count),
-                CountCheck::Complete { .. }
-            ))
+    match verify(last.lambda, wanted, margins, |shift| {
+        pencil.count_below(shift)
+    }) {
+        CountCheck::Complete { margin } => Some(last.lambda * (1.0 + margin)),
+        CountCheck::Disagrees { .. } => None,
+    }
 }
 
 /// The relative distance of an eigenvalue to its neighbours.
@@ -108,66 +120,173 @@ fn relative_gap(known: &[f64], index: usize) -> f64 {
     below.unwrap_or(1.0).min(above.unwrap_or(GAP_ABOVE))
 }
 
+/// The highest eigenvalue of a list: ρ, r, and how many eigenvalues are below the last shift.
+struct Last {
+    lambda: f64,
+    residual: f64,
+    shift: f64,
+    count: usize,
+}
+
 impl Refinement {
-    fn reset(&mut self, size: usize, wanted: usize) {
-        for of_modes in [&mut self.lambdas, &mut self.residuals] {
-            of_modes.clear();
-            of_modes.resize(wanted, 0.0);
-        }
-        self.load.resize(size, 0.0);
-        self.products = 0;
+    /// Products with the mass matrix in the last [`refine`].
+    pub(super) fn products(&self) -> usize {
+        self.searches.iter().map(|search| search.steps).sum()
     }
 
-    /// Iterates from a guess until the eigenvalue is accurate; then the vector with xᵀKx = 1
-    /// replaces the guess.
-    fn refine_one(
-        &mut self,
-        pencil: &mut dyn ShiftInvert,
-        (gap, tolerance): (f64, f64),
-        index: usize,
-    ) -> Option<Refined> {
-        let Self {
-            vectors,
-            load,
-            products,
-            ..
-        } = self;
-        let x = &mut vectors[index][..];
-        let mut energies = pencil.energies(x);
-        let (mut shift, mut count) = (f64::NAN, 0);
-        for _ in 0..MAX_STEPS {
-            let [stiffness, mass] = energies;
-            let quotient = stiffness / mass;
-            if !(quotient > 0.0 && quotient.is_finite()) {
+    /// Begins a search from each guess; none if eigenvalues are too near to each other.
+    fn begin(&mut self, pencil: &mut dyn ShiftInvert, sought: Sought) -> Option<()> {
+        self.load.resize(pencil.size(), 0.0);
+        self.searches.clear();
+        for (index, x) in self.vectors[..sought.wanted].iter().enumerate() {
+            let gap = relative_gap(sought.known, index);
+            if gap < NEAREST {
                 return None;
             }
-            // A shift near the eigenvalue is used once more. The first shift is NaN, so it is not
-            // near.
-            let is_near = (quotient - shift).abs() <= NEAR * gap * quotient;
-            *products += 1;
-            if is_near {
-                (_, energies) = pencil.inverse_step(None, x, load);
-            } else {
-                shift = quotient;
-                (count, energies) = pencil.inverse_step(Some(shift), x, load);
-            }
-            let lambda = energies[0] / energies[1];
-            let squared = mass / energies[1] - (lambda - shift) * (lambda - shift);
-            let residual_squared = squared.max(0.0);
-            if residual_squared <= tolerance * gap * lambda * lambda {
-                scale(x, 1.0 / energies[0].sqrt());
-                return Some(Refined {
-                    lambda,
-                    residual: residual_squared.sqrt(),
-                    shift,
-                    count,
-                });
-            }
-            // The vector has grown as the shift is near to the eigenvalue.
-            let factor = 1.0 / energies[1].sqrt();
-            scale(x, factor);
-            energies = energies.map(|energy| energy * factor * factor);
+            self.searches.push(Search::new(pencil.energies(x), gap));
         }
-        None
+        Some(())
+    }
+
+    /// Iterates from some guesses until the eigenvalues are accurate; then the vectors with xᵀKx =
+    /// 1 replace the guesses. With a `ratio`, the eigenvalues below the highest guess times this
+    /// are counted, if the pencil takes several steps at once: the limit and the count.
+    fn refine_in_step(
+        &mut self,
+        pencil: &mut dyn ShiftInvert,
+        modes: Range<usize>,
+        ratio: Option<f64>,
+        tolerance: f64,
+    ) -> Option<Option<(f64, usize)>> {
+        let vectors = &mut self.vectors[modes.clone()];
+        let searches = &mut self.searches[modes];
+        let end = match ratio {
+            Some(ratio) => Some(ratio * searches.last()?.quotient()?),
+            None => None,
+        };
+        let mut counted = None;
+        loop {
+            let active = searches.iter().filter(|search| search.found.is_none());
+            let asked = end.filter(|_| counted.is_none());
+            if active.count() + usize::from(asked.is_some()) < 2 {
+                break;
+            }
+            let mut shifts = [end.unwrap_or(searches[0].quotient()?); LANES];
+            for (search, shift) in searches.iter_mut().zip(&mut shifts) {
+                search.aim()?;
+                *shift = search.shift;
+            }
+            let mut moved = searches.iter().zip(&mut *vectors);
+            let moved: [_; LANES] = std::array::from_fn(|_| {
+                let (search, x) = moved.next()?;
+                search.found.is_none().then_some(&mut x[..])
+            });
+            let Some(steps) = pencil.inverse_steps(&shifts, moved) else {
+                break;
+            };
+            counted = counted.or(asked.map(|end| (end, steps[searches.len()].0)));
+            let active = searches.iter_mut().zip(&mut *vectors).zip(steps);
+            for ((search, x), step) in active.filter(|((search, _), _)| search.found.is_none()) {
+                search.take(x, step, tolerance);
+            }
+        }
+        for (search, x) in searches.iter_mut().zip(vectors) {
+            search.finish(pencil, x, &mut self.load, tolerance)?;
+        }
+        Some(counted)
+    }
+
+    /// Takes the eigenvalues found, if each is in an interval of its own.
+    fn take_disjoint(&mut self) -> Option<Last> {
+        self.lambdas.clear();
+        self.residuals.clear();
+        let mut below = 0.0;
+        for search in &self.searches {
+            let (lambda, residual) = search.found?;
+            // Two guesses may lead to one eigenvalue. Its two values differ by rounding, which is
+            // not in the residuals.
+            if lambda - residual <= below * (1.0 + NEAREST) {
+                return None;
+            }
+            below = lambda + residual;
+            self.lambdas.push(lambda);
+            self.residuals.push(residual / lambda);
+        }
+        let last = self.searches.last()?;
+        let (lambda, residual) = last.found?;
+        Some(Last {
+            lambda,
+            residual,
+            shift: last.shift,
+            count: last.count,
+        })
+    }
+}
+
+impl Search {
+    fn new(energies: [f64; 2], gap: f64) -> Self {
+        Self {
+            energies,
+            gap,
+            shift: f64::NAN,
+            count: 0,
+            steps: 0,
+            found: None,
+        }
+    }
+
+    /// The Rayleigh quotient of the present vector, if it is a positive number.
+    fn quotient(&self) -> Option<f64> {
+        let quotient = self.energies[0] / self.energies[1];
+        (quotient > 0.0 && quotient.is_finite()).then_some(quotient)
+    }
+
+    /// Sets the shift of the next step, if there is one; none if the iteration leads nowhere.
+    fn aim(&mut self) -> Option<()> {
+        if self.found.is_some() {
+            return Some(());
+        }
+        let quotient = self.quotient().filter(|_| self.steps < MAX_STEPS)?;
+        // A shift near the eigenvalue is used once more.
+        let is_near = (quotient - self.shift).abs() <= NEAR * self.gap * quotient;
+        if !is_near {
+            self.shift = quotient;
+        }
+        Some(())
+    }
+
+    /// Takes the result of a step from the vector with the shift.
+    fn take(&mut self, x: &mut [f64], (count, energies): (usize, [f64; 2]), tolerance: f64) {
+        let mass = self.energies[1];
+        (self.count, self.steps) = (count, self.steps + 1);
+        let lambda = energies[0] / energies[1];
+        let squared = mass / energies[1] - (lambda - self.shift) * (lambda - self.shift);
+        let residual_squared = squared.max(0.0);
+        let is_found = residual_squared <= tolerance * self.gap * lambda * lambda;
+        self.found = is_found.then(|| (lambda, residual_squared.sqrt()));
+        // The vector has grown as the shift is near to the eigenvalue.
+        let factor = 1.0 / energies[usize::from(!is_found)].sqrt();
+        scale(x, factor);
+        self.energies = energies.map(|energy| energy * factor * factor);
+    }
+
+    /// Iterates until the eigenvalue is accurate.
+    fn finish(
+        &mut self,
+        pencil: &mut dyn ShiftInvert,
+        x: &mut [f64],
+        load: &mut [f64],
+        tolerance: f64,
+    ) -> Option<()> {
+        let mut factored = f64::NAN;
+        while self.found.is_none() {
+            self.aim()?;
+            let is_new = self.shift != factored;
+            factored = self.shift;
+            let (count, energies) = pencil.inverse_step(is_new.then_some(factored), x, load);
+            let count = if is_new { count } else { self.count };
+            self.take(x, (count, energies), tolerance);
+        }
+        Some(())
     }
 }

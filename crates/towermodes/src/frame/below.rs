@@ -19,7 +19,7 @@ use super::product::Sweep;
 use super::recipe::FrameRecipe;
 use super::rigid::{Motion, NONE, moved, product, rigid_transfer, transposed_product};
 use super::statics::{AtRest, with_tensions};
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number, Scalar};
 use crate::space::SpatialMatrix;
 use crate::tower::frame::FrameFoundation;
 

@@ -5,7 +5,7 @@
 
 use super::multiblade::{Multiblade, SHIFTS, sum_of_harmonics};
 use crate::beam::{BladeFactors, Condensed, TurningBlade};
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number, Scalar};
 
 /// The factors of a blade in each harmonic.
 #[derive(Debug, Clone, Default)]

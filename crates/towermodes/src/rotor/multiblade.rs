@@ -18,7 +18,7 @@
 
 use super::error::RotorError;
 use crate::beam::{Condensed, TurningBlade};
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number};
 use crate::tower::MOST_BLADES;
 
 /// A body that turns with a rotor, in the frame of the rotor.

@@ -125,7 +125,7 @@ impl Solver {
         let mut modes = Guesses::default();
         modes.take(&keys, base, model, spectrum);
         let listed = with_repeats(&found, options.modes.min(found.len()), model.origin);
-        modes.set_listed(&keys[..listed]);
+        modes.set_listed(&found[..listed]);
         // If they do not lead to their own list, because two frequencies are nearly equal, they do
         // not lead to that of a similar tower.
         let own = solve_listed(base, &cut, options, Some(&mut modes), workspace);

@@ -18,6 +18,7 @@ pub use list::Subsystems;
 pub use pencil::{Eigenproblem, ProductObserver, SubsystemPencil};
 pub use states::JointState;
 
+use crate::lanes::LANES;
 use crate::space::SpatialMatrix;
 use crate::tower::Motions;
 
@@ -82,6 +83,17 @@ pub trait Subsystem: Send + Sync {
         _a: Option<&Coefficients>,
         _x: &mut [f64],
     ) -> Option<(usize, Energies)> {
+        None
+    }
+
+    /// The same for several matrices A that differ in the coefficient of the inertia, each with a
+    /// vector, or without one if only the negative eigenvalues are counted. The results are those
+    /// of [single steps](Self::inverse_step). None, and no effect, where it takes as long.
+    fn inverse_steps(
+        &mut self,
+        _a: &[Coefficients; LANES],
+        _x: [Option<&mut [f64]>; LANES],
+    ) -> Option<[(usize, Energies); LANES]> {
         None
     }
 

@@ -2,6 +2,7 @@
 
 use super::{Coefficients, Subsystem};
 use crate::eigen::{Pencil, ShiftInvert};
+use crate::lanes::LANES;
 
 /// Of which two matrices the eigenvalues are sought.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -177,5 +178,23 @@ impl ShiftInvert for SubsystemPencil<'_> {
         }
         let of = |matrix| energies.of(matrix);
         Some((count, [&self.stiffness, &self.mass].map(of)))
+    }
+
+    fn inverse_steps(
+        &mut self,
+        shifts: &[f64; LANES],
+        x: [Option<&mut [f64]>; LANES],
+    ) -> Option<[(usize, [f64; 2]); LANES]> {
+        if self.mass != Coefficients::MASS {
+            return None;
+        }
+        let moved = x.iter().flatten().count();
+        let shifted = shifts.map(|shift| self.stiffness.minus(shift, self.mass));
+        let steps = self.subsystem.inverse_steps(&shifted, x)?;
+        if let Some(observer) = &mut self.observer {
+            (0..moved).for_each(|_| observer.count_product());
+        }
+        let both = [&self.stiffness, &self.mass];
+        Some(steps.map(|(count, energies)| (count, both.map(|matrix| energies.of(matrix)))))
     }
 }

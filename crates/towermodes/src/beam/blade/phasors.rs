@@ -4,7 +4,7 @@
 use super::super::legendre::Legendre;
 use super::super::model::{Beam, rigid_motion};
 use super::super::product::sweep_up;
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number, Scalar};
 
 /// The matrix a M + i c C, with the inertia M and skew matrices C of the elements, if they have
 /// them.

@@ -7,7 +7,7 @@ use super::super::strain::Strain;
 use super::super::substitution::{reduce_down, substitute_up};
 use super::phasors::{InertiaMatrix, inertia_loads, motions_along};
 use super::turning::{BladeFactors, TurningBlade, both, congruent};
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number};
 use crate::space::{transform_force, transform_matrix, transform_motion};
 use crate::tower::Plane;
 

@@ -1,15 +1,18 @@
 //! Guesses of modes from those of the same tower on another mesh, or of a similar tower.
 
 use super::model::Model;
-use super::spectrum::{ModeKey, SimilarModes, Spectrum};
+use super::spectrum::{Found, ModeKey, SimilarModes, Spectrum};
 use crate::eigen::{
-    EigenWorkspace, Eigenvalue, OF_ESTIMATES, Refinement, Statistics, lowest_near, refine,
+    EigenWorkspace, Eigenvalue, OF_ESTIMATES, Refinement, Sought, Statistics, lowest_near, refine,
 };
 use crate::subsystem::InternalForces;
 use crate::tower::{Motions, Tower};
 
 /// A guess of a mode is used if its eigenvalue is this many times its error.
 const CERTAIN: f64 = 1e6;
+
+/// The ratio of the end of the gap above a list to its last eigenvalue, if the next one is unknown.
+const GAP_ABOVE: f64 = 1.1;
 
 /// The internal forces of modes, which hardly depend on the mesh and little on the dimensions of
 /// the tower, and the eigenvalues that were found from them.
@@ -18,6 +21,8 @@ pub(crate) struct Guesses {
     subsystems: Vec<OfSubsystem>,
     /// How many modes of each subsystem are listed.
     listed: Vec<usize>,
+    /// The highest eigenvalue of the list, rad²/s².
+    listed_to: f64,
     /// Heights where forces may jump, m.
     jumps_m: Vec<f64>,
     refinement: Refinement,
@@ -75,10 +80,12 @@ impl Guesses {
         }
     }
 
-    /// Notes the keys of the modes that are listed.
-    pub(crate) fn set_listed(&mut self, keys: &[ModeKey]) {
-        let listed = (0..self.subsystems.len()).map(|index| followed(keys, index));
+    /// Notes which modes are listed, lowest first.
+    pub(crate) fn set_listed(&mut self, found: &[Found]) {
+        let keys: Vec<ModeKey> = found.iter().map(|found| found.key).collect();
+        let listed = (0..self.subsystems.len()).map(|index| followed(&keys, index));
         self.listed = listed.collect();
+        self.listed_to = found.last().map_or(0.0, |last| last.eigenvalue.lambda);
     }
 
     /// The `wanted` lowest eigenvalues of a subsystem on the present mesh, if the guesses lead to
@@ -95,9 +102,9 @@ impl Guesses {
             ..
         } = self.guess(model, index, wanted)?;
         let mut pencil = model.vibration(index);
-        let known = &subsystems[index].known;
-        let is_found = refine(&mut pencil, known, wanted, OF_ESTIMATES, refinement);
-        is_found.then_some(&refinement.lambdas[..])
+        let sought = subsystems[index].sought(wanted, 0.0);
+        refine(&mut pencil, sought, OF_ESTIMATES, refinement)?;
+        Some(&refinement.lambdas[..])
     }
 
     /// Guesses the vectors of the `wanted` lowest modes of a subsystem on the present mesh; none if
@@ -131,6 +138,23 @@ impl Guesses {
     }
 }
 
+impl OfSubsystem {
+    /// The search for the `wanted` lowest eigenvalues, those up to the last one of a list,
+    /// `listed_to` (rad²/s²; 0 without a list).
+    fn sought(&self, wanted: usize, listed_to: f64) -> Sought<'_> {
+        let known = &self.known;
+        let last = wanted.checked_sub(1).map_or(0.0, |last| known[last]);
+        let from = last.max(listed_to);
+        let next = known.iter().find(|next| **next > from);
+        let gap_end = next.map_or(from * GAP_ABOVE, |next| (from * next).sqrt());
+        Sought {
+            wanted,
+            known,
+            gap_ratio: gap_end / last,
+        }
+    }
+}
+
 impl SimilarModes for Guesses {
     fn listed(&self) -> &[usize] {
         &self.listed
@@ -146,11 +170,12 @@ impl SimilarModes for Guesses {
         let Self {
             subsystems,
             refinement,
+            listed_to,
             ..
         } = self.guess(model, subsystem, wanted)?;
         let mut pencil = model.vibration(subsystem);
-        let known = &subsystems[subsystem].known;
-        lowest_near(&mut pencil, known, wanted, refinement, workspace)
+        let sought = subsystems[subsystem].sought(wanted, *listed_to);
+        lowest_near(&mut pencil, sought, refinement, workspace)
     }
 }
 

@@ -10,7 +10,7 @@
 
 use super::super::equations::gyroscopic::Gyroscopic;
 use super::search::{Found, Guess, POINT, Sample, Search};
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number, Scalar};
 
 /// Half the width of the final bracket of a frequency, relative to the frequency.
 const CLOSE: f64 = 1e-10;

@@ -2,7 +2,7 @@
 //! added mass depends on the frequency.
 
 use crate::frame::{FrameBelow, FrameSolveError, ReducedFrame};
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number, Scalar};
 use crate::space::{SpatialMatrix, add_scaled};
 use crate::tower::{InertiaByFrequency, Tower};
 

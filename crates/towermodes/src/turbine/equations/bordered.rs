@@ -1,7 +1,7 @@
 //! A small Hermitian matrix: the motion of a body, and coordinates of joints that move it.
 
 use crate::beam::{Condensed, eliminate, first_block, reduce, substitute};
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number};
 
 /// Largest number of coordinates: six of the body and two of joints.
 const MOST: usize = 8;

@@ -6,7 +6,7 @@ use super::bordered::Bordered;
 use super::gyroscopic::Raise;
 use crate::beam::{Condensed, TurningBlade, congruent};
 use crate::rotor::{Multiblade, RotorFactors};
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number};
 use crate::space::SpatialMatrix;
 use crate::tower::{Inertia, RigidBody, Rna, spatial_inertia};
 

@@ -1,7 +1,7 @@
 //! Motions of nacelle, drivetrain and rotor: solutions and products at a frequency.
 
 use super::machine::{ABOUT_SHAFT, ABOUT_TOWER, Machine, MachineFactors};
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number, Scalar};
 use crate::space::SpatialMatrix;
 
 /// A motion or a force in phasors.

@@ -7,7 +7,7 @@ use super::super::equations::model::TurbineModel;
 use super::energy::{BladeEnergy, TurbineEnergy};
 use crate::beam::TurningBlade;
 use crate::modes::RigidTower;
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number};
 
 /// Which of the two sums of forward and backward wave tilts the nacelle, for flap, edge, torsion
 /// and axial motion: the sum with deflections as the cosine of the azimuth (up: 1) or the one with

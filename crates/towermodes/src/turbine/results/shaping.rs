@@ -10,7 +10,7 @@ use super::super::equations::model::TurbineModel;
 use super::elastic::rigid_motions;
 use super::shape::{BladeDeflection, TowerMotion, TurbineShape};
 use crate::rotor::Reactionless;
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::{Complex, Number, Scalar};
 
 /// Least number of points along the tower, and along a blade.
 const POINTS: usize = 20;
