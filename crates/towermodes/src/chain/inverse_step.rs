@@ -9,6 +9,9 @@ use crate::lanes::{LANES, Lanes, Row};
 use crate::space::{add, transform_force};
 use crate::subsystem::{Coefficients, Energies};
 
+/// The work arrays of more joints than this do not stay in the cache: single steps take less time.
+pub const MOST_JOINTS_IN_LANES: usize = 1000;
+
 /// Work arrays of a step with numbers T.
 #[derive(Debug)]
 pub struct StepWorkspace<const D: usize, T> {

@@ -3,7 +3,7 @@
 use super::articulated;
 use super::curves::ChainCurves;
 use super::energies;
-use super::inverse_step::{StepWorkspace, inverse_step, inverse_steps};
+use super::inverse_step::{MOST_JOINTS_IN_LANES, StepWorkspace, inverse_step, inverse_steps};
 use super::joint::JointFlexibility;
 use super::model::Chain;
 use super::product;
@@ -105,7 +105,8 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
         a: &[Coefficients; LANES],
         x: [Option<&mut [f64]>; LANES],
     ) -> Option<[(usize, Energies); LANES]> {
-        Some(inverse_steps(&self.chain, a, &mut self.work_of_lanes, x))
+        let is_short = self.chain.joints() <= MOST_JOINTS_IN_LANES;
+        is_short.then(|| inverse_steps(&self.chain, a, &mut self.work_of_lanes, x))
     }
 
     fn energy(&mut self, a: &Coefficients, x: &[f64]) -> f64 {
