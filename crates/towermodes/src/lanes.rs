@@ -2,7 +2,7 @@
 //!
 //! Each operation of an elimination waits for the one before. Operations of other vectors, or of
 //! matrices with other shifts, fill the waiting time. Each lane has the operations of a single
-//! number, so it has the bits of its result.
+//! number, so its result is equal to that of a single number, bit for bit.
 
 use std::ops::{Add, AddAssign, Mul, Sub, SubAssign};
 
@@ -16,7 +16,7 @@ pub trait Lanes: Number {
     #[must_use]
     fn inverse(self) -> Self;
 
-    /// −`tiny` in place of what is nearer to zero.
+    /// −`tiny` if |x| < `tiny`, else x.
     #[must_use]
     fn off_zero(self, tiny: f64) -> Self;
 
@@ -25,7 +25,7 @@ pub trait Lanes: Number {
 
     /// 1 if x < 0, else 0.
     #[must_use]
-    fn is_negative(self) -> Self;
+    fn one_if_negative(self) -> Self;
 
     /// The number in a lane.
     fn lane(self, lane: usize) -> f64;
@@ -48,7 +48,7 @@ impl Lanes for f64 {
     }
 
     #[inline(always)]
-    fn is_negative(self) -> Self {
+    fn one_if_negative(self) -> Self {
         if self < 0.0 { 1.0 } else { 0.0 }
     }
 
@@ -107,7 +107,7 @@ impl Lanes for Row {
     }
 
     #[inline(always)]
-    fn is_negative(self) -> Self {
+    fn one_if_negative(self) -> Self {
         Self(self.0.simd_lt(f64x4::ZERO) & f64x4::ONE)
     }
 

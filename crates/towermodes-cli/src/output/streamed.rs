@@ -24,7 +24,7 @@ enum Target {
     Stream(File),
     Standard(Stdout),
     /// A terminal: control characters are replaced.
-    Terminal(Box<dyn Write + Send>),
+    Terminal(Stdout),
 }
 
 impl Streamed {
@@ -42,8 +42,7 @@ impl Streamed {
         let done = match self.target {
             Target::File(staged) => staged.finish(),
             Target::Stream(mut file) => file.flush(),
-            Target::Standard(mut out) => out.flush(),
-            Target::Terminal(mut out) => out.flush(),
+            Target::Standard(mut out) | Target::Terminal(mut out) => out.flush(),
         };
         match done {
             Ok(()) => Ok(()),
@@ -69,9 +68,7 @@ fn target(output: Option<&Path>) -> io::Result<Target> {
     let Some(path) = output else {
         return match closed::is_closed() {
             true => Err(io::Error::other("it is closed; give --output PATH")),
-            false if io::stdout().is_terminal() => {
-                Ok(Target::Terminal(Box::new(anstream::stdout())))
-            }
+            false if io::stdout().is_terminal() => Ok(Target::Terminal(io::stdout())),
             false => Ok(Target::Standard(io::stdout())),
         };
     };
@@ -100,8 +97,7 @@ impl Write for Streamed {
         match &mut self.target {
             Target::File(staged) => staged.flush(),
             Target::Stream(file) => file.flush(),
-            Target::Standard(out) => out.flush(),
-            Target::Terminal(out) => out.flush(),
+            Target::Standard(out) | Target::Terminal(out) => out.flush(),
         }
     }
 }

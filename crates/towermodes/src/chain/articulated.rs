@@ -106,7 +106,7 @@ pub(super) fn eliminate<const D: usize, T: Lanes>(
                 let mut column = p[component];
                 let pivot = T::real(spring) + column[component].times(root * root);
                 let pivot = pivot.off_zero(TINY_PIVOT);
-                negative += pivot.is_negative();
+                negative += pivot.one_if_negative();
                 let inverse = pivot.inverse();
                 let spring = (spring, root, inverse);
                 if has_geometric {

@@ -9,15 +9,15 @@ use crate::lanes::{LANES, Lanes, Row};
 use crate::space::{add, transform_force};
 use crate::subsystem::{Coefficients, Energies};
 
-/// The work arrays of more joints than this do not stay in the cache: single steps take less time.
-pub const MOST_JOINTS_IN_LANES: usize = 1000;
+/// The most rows of numbers in the work arrays of steps in lanes, 512 KiB. Larger arrays leave the
+/// cache, and single steps take less time.
+const MOST_ROWS: usize = 1 << 14;
 
 /// Work arrays of a step with numbers T.
 #[derive(Debug)]
 pub struct StepWorkspace<const D: usize, T> {
     pub(super) loads: Loads<D, T>,
     pub(super) factors: Vec<Elimination<D, T>>,
-    x: Vec<T>,
 }
 
 impl<const D: usize, T> Default for StepWorkspace<D, T> {
@@ -25,9 +25,15 @@ impl<const D: usize, T> Default for StepWorkspace<D, T> {
         Self {
             loads: Loads::default(),
             factors: Vec::new(),
-            x: Vec::new(),
         }
     }
+}
+
+/// Work arrays of steps in lanes.
+#[derive(Debug, Default)]
+pub struct LanesWorkspace<const D: usize> {
+    step: StepWorkspace<D, Row>,
+    x: Vec<Row>,
 }
 
 /// x ← A⁻¹ M x, with A factored first if it is given, else with the factors of the last A. The
@@ -38,7 +44,7 @@ pub fn inverse_step<const D: usize>(
     workspace: &mut StepWorkspace<D, f64>,
     x: &mut [f64],
 ) -> (usize, Energies) {
-    let StepWorkspace { loads, factors, .. } = workspace;
+    let StepWorkspace { loads, factors } = workspace;
     let forces = inertia_forces(chain, loads, x);
     let negative = match a {
         Some(a) => eliminate(chain, a, a.mass, &mut ForcesDown::new(forces, factors, x)) as usize,
@@ -53,37 +59,43 @@ pub fn inverse_step<const D: usize>(
 }
 
 /// The same for several matrices A that differ in the coefficient of the inertia, each with a
-/// vector, or without one if only the eigenvalues are counted.
+/// vector, or without one if only the eigenvalues are counted; none, and no effect, for a chain
+/// whose single steps take less time.
 pub fn inverse_steps<const D: usize>(
     chain: &Chain<D>,
     a: &[Coefficients; LANES],
-    workspace: &mut StepWorkspace<D, Row>,
+    workspace: &mut LanesWorkspace<D>,
     vectors: [Option<&mut [f64]>; LANES],
-) -> [(usize, Energies); LANES] {
-    let StepWorkspace { loads, factors, x } = workspace;
+) -> Option<[(usize, Energies); LANES]> {
+    let size = chain.degrees_of_freedom();
+    if size * (D + 1) > MOST_ROWS {
+        return None;
+    }
+    let LanesWorkspace { step, x } = workspace;
+    let StepWorkspace { loads, factors } = step;
     x.clear();
-    x.resize(chain.degrees_of_freedom(), Row::default());
+    x.resize(size, Row::default());
     for (lane, vector) in vectors.iter().enumerate() {
-        let entries = vector.iter().flat_map(|vector| vector.iter());
-        x.iter_mut()
-            .zip(entries)
-            .for_each(|(x, entry)| x.set(lane, *entry));
+        for (row, entry) in x.iter_mut().zip(vector.iter().flat_map(|x| x.iter())) {
+            row.set(lane, *entry);
+        }
     }
     let forces = inertia_forces(chain, loads, x);
     let mass = Row::new(a.map(|a| a.mass));
     let counts = eliminate(chain, &a[0], mass, &mut ForcesDown::new(forces, factors, x));
     let energies: [Energies; LANES] = release(chain, factors, x);
     for (lane, vector) in vectors.into_iter().enumerate() {
-        let entries = vector.into_iter().flatten();
-        entries
-            .zip(&*x)
-            .for_each(|(entry, x)| *entry = x.lane(lane));
+        for (entry, row) in vector.into_iter().flatten().zip(&*x) {
+            *entry = row.lane(lane);
+        }
     }
-    std::array::from_fn(|lane| (counts.lane(lane) as usize, energies[lane]))
+    Some(std::array::from_fn(|lane| {
+        (counts.lane(lane) as usize, energies[lane])
+    }))
 }
 
-/// The pass up: the motions, and the energies with them. The processor overlaps the operations that
-/// do not depend on each other.
+/// The pass up: the motions, and the energies with them, of each of the N lanes of T. The processor
+/// overlaps the operations that do not depend on each other.
 fn release<const D: usize, T: Lanes, const N: usize>(
     chain: &Chain<D>,
     factors: &[Elimination<D, T>],
@@ -208,7 +220,8 @@ mod tests {
             let x = moved.next().filter(|_| lane + 1 < LANES)?;
             Some(&mut x[..])
         });
-        let steps = inverse_steps(&chain, &a, &mut StepWorkspace::default(), moved);
+        let steps = inverse_steps(&chain, &a, &mut LanesWorkspace::default(), moved);
+        let steps = steps.expect("a short chain");
         let mut counts = Vec::new();
         for lane in 0..LANES {
             let mut expected = vectors[lane].clone();

@@ -3,12 +3,12 @@
 use super::articulated;
 use super::curves::ChainCurves;
 use super::energies;
-use super::inverse_step::{MOST_JOINTS_IN_LANES, StepWorkspace, inverse_step, inverse_steps};
+use super::inverse_step::{LanesWorkspace, StepWorkspace, inverse_step, inverse_steps};
 use super::joint::JointFlexibility;
 use super::model::Chain;
 use super::product;
 use super::transfer;
-use crate::lanes::{LANES, Row};
+use crate::lanes::LANES;
 use crate::space::SpatialMatrix;
 use crate::subsystem::{
     Branch, Coefficients, Coordinates, Energies, InternalForces, JointState, MatrixKind, Resultant,
@@ -22,7 +22,7 @@ pub struct ChainSubsystem<const D: usize> {
     coordinates: Coordinates<D>,
     chain: Chain<D>,
     work: StepWorkspace<D, f64>,
-    work_of_lanes: StepWorkspace<D, Row>,
+    work_of_lanes: LanesWorkspace<D>,
 }
 
 impl<const D: usize> ChainSubsystem<D> {
@@ -32,7 +32,7 @@ impl<const D: usize> ChainSubsystem<D> {
             coordinates: Coordinates::new(motions),
             chain,
             work: StepWorkspace::default(),
-            work_of_lanes: StepWorkspace::default(),
+            work_of_lanes: LanesWorkspace::default(),
         }
     }
 }
@@ -105,8 +105,7 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
         a: &[Coefficients; LANES],
         x: [Option<&mut [f64]>; LANES],
     ) -> Option<[(usize, Energies); LANES]> {
-        let is_short = self.chain.joints() <= MOST_JOINTS_IN_LANES;
-        is_short.then(|| inverse_steps(&self.chain, a, &mut self.work_of_lanes, x))
+        inverse_steps(&self.chain, a, &mut self.work_of_lanes, x)
     }
 
     fn energy(&mut self, a: &Coefficients, x: &[f64]) -> f64 {

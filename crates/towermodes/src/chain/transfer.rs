@@ -39,9 +39,11 @@ pub fn with_internal_forces<const D: usize>(
         let (own, above) = rest.split_at_mut(link.moving);
         rest = above;
         if link.spring == 0.0 {
-            own.iter_mut()
-                .zip(&forces.base)
-                .for_each(|(x, base)| *x = *base);
+            match own.len() == forces.base.len() {
+                true => own.copy_from_slice(&forces.base),
+                // The base moves in other directions.
+                false => own.fill(0.0),
+            }
             continue;
         }
         link.set_scaled(own, |component| readers[component].force(link.height_m));

@@ -28,8 +28,9 @@ const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
 /// The relative residual of a vector that is listed.
 const OF_VECTORS: f64 = 1e-13;
 
-/// The relative distances for a list that was found from guesses.
-const WIDE_MARGINS: [f64; 3] = [0.1, 1e-2, 1e-3];
+/// Above a list that was found from guesses a relative gap of less than this is counted again: a
+/// wider one proves more digits of the last eigenvalue.
+const WIDE: f64 = 1e-2;
 
 /// With larger residuals relative to the mode the rounding errors of the lowest mode are larger
 /// than the mode. It is below the widest of [`MARGINS`], so one of them is beyond the residuals.
@@ -350,29 +351,25 @@ pub(crate) fn lowest_near(
     workspace: &mut EigenWorkspace,
 ) -> Option<Statistics> {
     let wanted = sought.wanted;
-    workspace.begin_empty();
+    workspace.eigenvalues.clear();
     if wanted == 0 {
         return Some(Statistics::default());
     }
+    workspace.gap_end = 0.0;
     if wanted > pencil.size() {
         return None;
     }
-    let gap_end = refine(pencil, sought, refine::OF_LISTS, refinement)?;
+    let limit = refine(pencil, sought, refine::OF_LISTS, refinement)?;
     workspace.adopt(wanted, refinement);
     let last = workspace.lambdas[wanted - 1];
-    let mut margin = gap_end / last - 1.0;
-    if margin < WIDE_MARGINS[0] {
-        // A wide gap proves more digits of the last eigenvalue.
-        let [first, second, third] = WIDE_MARGINS;
-        let mut margins = [sought.gap_ratio - 1.0, first, second, third];
-        margins.sort_unstable_by(|a, b| b.total_cmp(a));
-        let wider = margins.partition_point(|wide| *wide > margin);
-        let wide = verify(last, wanted, &margins[..wider], |shift| {
-            pencil.count_below(shift)
-        });
-        if let CountCheck::Complete { margin: wide } = wide {
-            margin = wide;
-        }
+    let mut margin = limit / last - 1.0;
+    if margin < WIDE {
+        let count_below = |shift| pencil.count_below(shift);
+        let check = verify(last, wanted, &sought.margins(), count_below);
+        let CountCheck::Complete { margin: wider } = check else {
+            return None;
+        };
+        margin = wider;
     }
     let is_accurate = (0..wanted).all(|index| workspace.is_accurate(index, margin));
     if !(workspace.lambdas.iter().all(is_usable) && is_accurate) {

@@ -80,8 +80,7 @@ pub trait ShiftInvert: Pencil {
     }
 
     /// Steps with shifts of their own, each with a vector, or without one if only the eigenvalues
-    /// below the shift are counted. None, and no effect, where this takes as long as one step after
-    /// the other.
+    /// below the shift are counted. None, and no effect, where single steps take no longer.
     fn inverse_steps(
         &mut self,
         _shifts: &[f64; LANES],

@@ -27,7 +27,9 @@ pub(crate) const OF_ESTIMATES: f64 = 1e-14;
 /// … and of one that is listed.
 pub(super) const OF_LISTS: f64 = 1e-15;
 /// Eigenvalues that are nearer to each other, relatively, are left to the Lanczos process.
-const NEAREST: f64 = 1e-4;
+pub(super) const NEAREST: f64 = 1e-4;
+/// The relative distance within which rounding may move an eigenvalue past a shift.
+const ROUNDING: f64 = 1e-9;
 /// The relative gap above the highest eigenvalue known, which decides about one step more.
 const GAP_ABOVE: f64 = 0.1;
 
@@ -37,8 +39,18 @@ pub(crate) struct Sought<'a> {
     pub(crate) wanted: usize,
     /// The eigenvalues of a similar pencil.
     pub(crate) known: &'a [f64],
-    /// The ratio of a number between the last wanted eigenvalue and the next one to the last one.
+    /// A limit between the last wanted eigenvalue of the similar pencil and its next one, divided
+    /// by the last one.
     pub(crate) gap_ratio: f64,
+}
+
+impl Sought<'_> {
+    /// The relative distances above the last eigenvalue at which a count is tried, widest first.
+    pub(super) fn margins(&self) -> [f64; 5] {
+        let mut margins = [self.gap_ratio - 1.0, 0.1, 1e-2, 1e-3, NEAREST];
+        margins.sort_unstable_by(|a, b| b.total_cmp(a));
+        margins
+    }
 }
 
 /// Guesses of eigenvectors, and the eigenvalues that were found from them.
@@ -71,8 +83,8 @@ struct Search {
 }
 
 /// Computes the eigenvalues that are sought from guesses of their vectors, to a relative tolerance.
-/// The result is the end of the gap above them, which has no other eigenvalue; none if the guesses
-/// do not lead to a list that is proved complete: then another process must find it.
+/// The result is a limit above them; no other eigenvalue is below it. None if the guesses do not
+/// lead to a list that is proved complete: then another process must find it.
 pub(crate) fn refine(
     pencil: &mut dyn ShiftInvert,
     sought: Sought,
@@ -85,7 +97,7 @@ pub(crate) fn refine(
     let mut above = wanted;
     // The highest first: its guess is the worst.
     while above > 0 {
-        // A count beside one step alone would take as long as after it.
+        // Beside one search alone a count would take as long as after it.
         let ratio = (above == wanted && wanted > 1).then_some(sought.gap_ratio);
         let lanes = LANES - usize::from(ratio.is_some());
         let modes = above.saturating_sub(lanes)..above;
@@ -93,20 +105,18 @@ pub(crate) fn refine(
         let of_gap = workspace.refine_in_step(pencil, modes, ratio, tolerance)?;
         counted = counted.or(of_gap);
     }
-    let last = workspace.take_disjoint()?;
-    let reach = last.lambda + last.residual;
-    let gap = counted.filter(|(end, count)| *count == wanted && reach < *end);
-    if let Some((end, _)) = gap {
-        return Some(end);
+    let (lambda, residual) = workspace.take_disjoint()?;
+    let reach = (lambda + residual) * (1.0 + ROUNDING);
+    let last = &workspace.searches[wanted - 1];
+    let counts = [counted, Some((last.shift, last.count))];
+    let is_proof = |(limit, count): &(f64, usize)| *count == wanted && reach < *limit;
+    if let Some((limit, _)) = counts.into_iter().flatten().find(is_proof) {
+        return Some(limit);
     }
-    if last.count == wanted && reach < last.shift {
-        return Some(last.shift);
-    }
-    let margins = beyond(workspace.residuals[wanted - 1], &super::MARGINS);
-    match verify(last.lambda, wanted, margins, |shift| {
-        pencil.count_below(shift)
-    }) {
-        CountCheck::Complete { margin } => Some(last.lambda * (1.0 + margin)),
+    let margins = sought.margins();
+    let margins = beyond(residual / lambda, &margins);
+    match verify(lambda, wanted, margins, |shift| pencil.count_below(shift)) {
+        CountCheck::Complete { margin } => Some(lambda * (1.0 + margin)),
         CountCheck::Disagrees { .. } => None,
     }
 }
@@ -118,14 +128,6 @@ fn relative_gap(known: &[f64], index: usize) -> f64 {
     let below = index.checked_sub(1).map(|below| distance(known[below]));
     let above = known.get(index + 1).map(|above| distance(*above));
     below.unwrap_or(1.0).min(above.unwrap_or(GAP_ABOVE))
-}
-
-/// The highest eigenvalue of a list: ρ, r, and how many eigenvalues are below the last shift.
-struct Last {
-    lambda: f64,
-    residual: f64,
-    shift: f64,
-    count: usize,
 }
 
 impl Refinement {
@@ -171,7 +173,8 @@ impl Refinement {
             if active.count() + usize::from(asked.is_some()) < 2 {
                 break;
             }
-            let mut shifts = [end.unwrap_or(searches[0].quotient()?); LANES];
+            // Lanes that nothing is asked of have any shift.
+            let mut shifts = [end.or(searches[0].quotient())?; LANES];
             for (search, shift) in searches.iter_mut().zip(&mut shifts) {
                 search.aim()?;
                 *shift = search.shift;
@@ -196,8 +199,8 @@ impl Refinement {
         Some(counted)
     }
 
-    /// Takes the eigenvalues found, if each is in an interval of its own.
-    fn take_disjoint(&mut self) -> Option<Last> {
+    /// Takes the eigenvalues found, if each is in an interval of its own; the last one with its r.
+    fn take_disjoint(&mut self) -> Option<(f64, f64)> {
         self.lambdas.clear();
         self.residuals.clear();
         let mut below = 0.0;
@@ -205,21 +208,14 @@ impl Refinement {
             let (lambda, residual) = search.found?;
             // Two guesses may lead to one eigenvalue. Its two values differ by rounding, which is
             // not in the residuals.
-            if lambda - residual <= below * (1.0 + NEAREST) {
+            if !(lambda.is_finite() && lambda - residual > below * (1.0 + NEAREST)) {
                 return None;
             }
             below = lambda + residual;
             self.lambdas.push(lambda);
             self.residuals.push(residual / lambda);
         }
-        let last = self.searches.last()?;
-        let (lambda, residual) = last.found?;
-        Some(Last {
-            lambda,
-            residual,
-            shift: last.shift,
-            count: last.count,
-        })
+        self.searches.last()?.found
     }
 }
 
@@ -288,5 +284,180 @@ impl Search {
             self.take(x, (count, energies), tolerance);
         }
         Some(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::pencil::Pencil;
+    use super::*;
+
+    const LAMBDAS: [f64; 10] = [1.0, 1.7, 2.5, 4.1, 6.0, 9.3, 12.0, 20.0, 31.0, 50.0];
+
+    /// K = diag(λ), M = 1.
+    struct Diagonal {
+        in_step: bool,
+        shift: f64,
+        counts: usize,
+    }
+
+    impl Diagonal {
+        fn new(in_step: bool) -> Self {
+            Self {
+                in_step,
+                shift: 0.0,
+                counts: 0,
+            }
+        }
+    }
+
+    fn below(shift: f64) -> usize {
+        LAMBDAS.iter().filter(|lambda| **lambda < shift).count()
+    }
+
+    fn divide(x: &mut [f64], shift: f64) {
+        for (x, lambda) in x.iter_mut().zip(LAMBDAS) {
+            *x /= lambda - shift;
+        }
+    }
+
+    fn energies(x: &[f64]) -> [f64; 2] {
+        let stiffness = x.iter().zip(LAMBDAS).map(|(x, lambda)| lambda * x * x);
+        [stiffness.sum(), x.iter().map(|x| x * x).sum()]
+    }
+
+    impl Pencil for Diagonal {
+        fn size(&self) -> usize {
+            LAMBDAS.len()
+        }
+
+        fn mass_times(&mut self, x: &[f64], out: &mut [f64]) {
+            out.copy_from_slice(x);
+        }
+
+        fn stiffness_times(&mut self, x: &[f64], out: &mut [f64]) {
+            let products = x.iter().zip(LAMBDAS).map(|(x, lambda)| lambda * x);
+            out.iter_mut().zip(products).for_each(|(out, x)| *out = x);
+        }
+
+        fn count_below(&mut self, shift: f64) -> usize {
+            self.counts += 1;
+            below(shift)
+        }
+
+        fn factorize(&mut self) -> usize {
+            0
+        }
+
+        fn solve(&mut self, x: &mut [f64]) {
+            divide(x, 0.0);
+        }
+
+        fn start(&mut self, out: &mut [f64]) {
+            out.fill(1.0);
+        }
+    }
+
+    impl ShiftInvert for Diagonal {
+        fn factorize_shifted(&mut self, shift: f64) -> usize {
+            self.shift = shift;
+            below(shift)
+        }
+
+        fn solve_shifted(&mut self, x: &mut [f64]) {
+            divide(x, self.shift);
+        }
+
+        fn energies(&mut self, x: &[f64]) -> [f64; 2] {
+            energies(x)
+        }
+
+        fn inverse_steps(
+            &mut self,
+            shifts: &[f64; LANES],
+            x: [Option<&mut [f64]>; LANES],
+        ) -> Option<[(usize, [f64; 2]); LANES]> {
+            if !self.in_step {
+                return None;
+            }
+            let mut steps = shifts.iter().zip(x).map(|(shift, x)| match x {
+                Some(x) => {
+                    divide(x, *shift);
+                    (below(*shift), energies(x))
+                }
+                None => (below(*shift), [0.0; 2]),
+            });
+            Some(std::array::from_fn(|_| steps.next().unwrap_or_default()))
+        }
+    }
+
+    /// Guesses of these modes, to a few percent; the similar pencil is 3 % softer.
+    fn refined(modes: &[usize], in_step: bool) -> (Option<f64>, Refinement, Diagonal) {
+        let known = LAMBDAS.map(|lambda| 0.97 * lambda);
+        let guess = |mode: &usize| {
+            let entry = |i: usize| {
+                if i == *mode {
+                    1.0
+                } else {
+                    0.02 * (i as f64).cos()
+                }
+            };
+            (0..LAMBDAS.len()).map(entry).collect()
+        };
+        let mut refinement = Refinement {
+            vectors: modes.iter().map(guess).collect(),
+            ..Refinement::default()
+        };
+        let mut pencil = Diagonal::new(in_step);
+        let wanted = modes.len();
+        let sought = Sought {
+            wanted,
+            known: &known,
+            gap_ratio: (LAMBDAS[wanted] / LAMBDAS[wanted - 1]).sqrt(),
+        };
+        let limit = refine(&mut pencil, sought, OF_LISTS, &mut refinement);
+        (limit, refinement, pencil)
+    }
+
+    #[test]
+    fn lists_of_any_length_are_found_and_proved() {
+        for wanted in [1, 2, 3, 4, 5, 8] {
+            let modes: Vec<usize> = (0..wanted).collect();
+            for in_step in [false, true] {
+                let (limit, refinement, pencil) = refined(&modes, in_step);
+                let limit = limit.expect("a list");
+                assert_eq!(below(limit), wanted, "{wanted}");
+                for (found, exact) in refinement.lambdas.iter().zip(LAMBDAS) {
+                    assert!((found / exact - 1.0).abs() < 1e-14, "{found}, not {exact}");
+                }
+                // The count in step saves one afterwards.
+                assert!(!in_step || wanted == 1 || pencil.counts == 0);
+            }
+        }
+    }
+
+    #[test]
+    fn guesses_of_other_modes_lead_to_no_list() {
+        // One is missing, one is there twice, one leads nowhere.
+        for modes in [[0, 1, 3], [0, 2, 3], [0, 1, 1], [0, 0, 2], [1, 2, 3]] {
+            for in_step in [false, true] {
+                let (limit, ..) = refined(&modes, in_step);
+                assert_eq!(limit, None, "{modes:?}");
+            }
+        }
+        for in_step in [false, true] {
+            let known = LAMBDAS;
+            let sought = Sought {
+                wanted: 2,
+                known: &known,
+                gap_ratio: 1.2,
+            };
+            let mut refinement = Refinement {
+                vectors: vec![vec![f64::NAN; LAMBDAS.len()]; 2],
+                ..Refinement::default()
+            };
+            let mut pencil = Diagonal::new(in_step);
+            assert_eq!(refine(&mut pencil, sought, OF_LISTS, &mut refinement), None);
+        }
     }
 }

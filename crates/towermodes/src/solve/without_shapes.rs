@@ -71,8 +71,9 @@ impl Solver {
     ///
     /// Frequencies differ from those of [`solve`](Self::solve) by at most 10⁻¹³ relative, shares of
     /// the energy by at most 10⁻⁶. The base has no effect with [`Bmodes`](crate::Method::Bmodes)
-    /// and [`Spectral`](crate::Method::Spectral), with an added mass that depends on frequency, and
-    /// if two of its frequencies in one group of coupled motions are nearly equal.
+    /// and [`Spectral`](crate::Method::Spectral), with an added mass that depends on frequency, if
+    /// a motion has no stiffness, and if two of its frequencies in one group of coupled motions are
+    /// nearly equal.
     ///
     /// # Errors
     /// [`SolveError`], if the base cannot be solved. Later towers are then solved without a base.
@@ -126,8 +127,8 @@ impl Solver {
         modes.take(&keys, base, model, spectrum);
         let listed = with_repeats(&found, options.modes.min(found.len()), model.origin);
         modes.set_listed(&found[..listed]);
-        // If they do not lead to their own list, because two frequencies are nearly equal, they do
-        // not lead to that of a similar tower.
+        // If they do not lead to their own list, for example because two frequencies are nearly
+        // equal, they do not lead to that of a similar tower.
         let own = solve_listed(base, &cut, options, Some(&mut modes), workspace);
         let leads = own.is_ok() && workspace.spectrum.is_guessed;
         workspace.base = leads.then_some(modes);

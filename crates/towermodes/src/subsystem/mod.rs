@@ -88,7 +88,8 @@ pub trait Subsystem: Send + Sync {
 
     /// The same for several matrices A that differ in the coefficient of the inertia, each with a
     /// vector, or without one if only the negative eigenvalues are counted. The results are those
-    /// of [single steps](Self::inverse_step). None, and no effect, where it takes as long.
+    /// of [single steps](Self::inverse_step). None, and no effect, where single steps take no
+    /// longer.
     fn inverse_steps(
         &mut self,
         _a: &[Coefficients; LANES],

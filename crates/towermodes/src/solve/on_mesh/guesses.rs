@@ -139,14 +139,19 @@ impl Guesses {
 }
 
 impl OfSubsystem {
-    /// The search for the `wanted` lowest eigenvalues, those up to the last one of a list,
-    /// `listed_to` (rad²/s²; 0 without a list).
+    /// The search for the `wanted` lowest eigenvalues, with a limit above the last one of a list,
+    /// `listed_to` (rad²/s²; 0 without a list), if it is below the next eigenvalue.
     fn sought(&self, wanted: usize, listed_to: f64) -> Sought<'_> {
         let known = &self.known;
         let last = wanted.checked_sub(1).map_or(0.0, |last| known[last]);
+        let next = known.get(wanted).copied();
         let from = last.max(listed_to);
-        let next = known.iter().find(|next| **next > from);
-        let gap_end = next.map_or(from * GAP_ABOVE, |next| (from * next).sqrt());
+        let from = if next.is_some_and(|next| next < from) {
+            last
+        } else {
+            from
+        };
+        let gap_end = next.map_or(from * GAP_ABOVE, |next| from.sqrt() * next.sqrt());
         Sought {
             wanted,
             known,

@@ -240,8 +240,8 @@ impl Spectrum {
     }
 
     /// The number of modes of a subsystem below μ, rad²/s². If those found are all up to the end of
-    /// the gap above, which is mostly so, the proof of the list needs no further count. Bending
-    /// modes that are not sought yet are mostly in the gap.
+    /// the gap above, which is mostly so, the proof of the list needs no further count. That wide
+    /// count is not tried for bending of which no mode was sought yet: its modes are mostly there.
     fn count_up_to(&mut self, model: &mut Model, index: usize, above: f64) -> usize {
         let list = &mut self.of_subsystems[index];
         let known = list.eigenvalues().len();
