@@ -82,6 +82,12 @@ struct Search {
     found: Option<(f64, f64)>,
 }
 
+/// A limit, rad²/s², and the number of eigenvalues below it, if they were counted.
+struct Limit {
+    at: f64,
+    count: Option<usize>,
+}
+
 /// Computes the eigenvalues that are sought from guesses of their vectors, to a relative tolerance.
 /// The result is a limit above them; no other eigenvalue is below it. None if the guesses do not
 /// lead to a list that is proved complete: then another process must find it.
@@ -93,25 +99,28 @@ pub(crate) fn refine(
 ) -> Option<f64> {
     let wanted = sought.wanted;
     workspace.begin(pencil, sought)?;
-    let mut counted = None;
+    let mut limit = Limit {
+        at: sought.gap_ratio * workspace.searches.last()?.quotient()?,
+        count: None,
+    };
     let mut above = wanted;
     // The highest first: its guess is the worst.
     while above > 0 {
         // Beside one search alone a count would take as long as after it.
-        let ratio = (above == wanted && wanted > 1).then_some(sought.gap_ratio);
-        let lanes = LANES - usize::from(ratio.is_some());
+        let limit = (above == wanted && wanted > 1).then_some(&mut limit);
+        let lanes = LANES - usize::from(limit.is_some());
         let modes = above.saturating_sub(lanes)..above;
         above = modes.start;
-        let of_gap = workspace.refine_in_step(pencil, modes, ratio, tolerance)?;
-        counted = counted.or(of_gap);
+        workspace.refine_in_step(pencil, modes, limit, tolerance)?;
     }
     let (lambda, residual) = workspace.take_disjoint()?;
     let reach = (lambda + residual) * (1.0 + ROUNDING);
     let last = &workspace.searches[wanted - 1];
-    let counts = [counted, Some((last.shift, last.count))];
-    let is_proof = |(limit, count): &(f64, usize)| *count == wanted && reach < *limit;
-    if let Some((limit, _)) = counts.into_iter().flatten().find(is_proof) {
-        return Some(limit);
+    let counts = [(limit.at, limit.count), (last.shift, Some(last.count))];
+    for (limit, count) in counts {
+        if count == Some(wanted) && reach < limit {
+            return Some(limit);
+        }
     }
     let margins = sought.margins();
     let margins = beyond(residual / lambda, &margins);
@@ -151,43 +160,31 @@ impl Refinement {
     }
 
     /// Iterates from some guesses until the eigenvalues are accurate; then the vectors with xᵀKx =
-    /// 1 replace the guesses. With a `ratio`, the eigenvalues below the highest guess times this
-    /// are counted, if the pencil takes several steps at once: the limit and the count.
+    /// 1 replace the guesses. The eigenvalues below a limit are counted with the first step, if the
+    /// pencil takes several steps at once.
     fn refine_in_step(
         &mut self,
         pencil: &mut dyn ShiftInvert,
         modes: Range<usize>,
-        ratio: Option<f64>,
+        mut limit: Option<&mut Limit>,
         tolerance: f64,
-    ) -> Option<Option<(f64, usize)>> {
+    ) -> Option<()> {
         let vectors = &mut self.vectors[modes.clone()];
         let searches = &mut self.searches[modes];
-        let end = match ratio {
-            Some(ratio) => Some(ratio * searches.last()?.quotient()?),
-            None => None,
-        };
-        let mut counted = None;
         loop {
             let active = searches.iter().filter(|search| search.found.is_none());
-            let asked = end.filter(|_| counted.is_none());
-            if active.count() + usize::from(asked.is_some()) < 2 {
+            let counts = limit.iter().filter(|limit| limit.count.is_none());
+            if active.count() + counts.count() < 2 {
                 break;
             }
-            // Lanes that nothing is asked of have any shift.
-            let mut shifts = [end.or(searches[0].quotient())?; LANES];
-            for (search, shift) in searches.iter_mut().zip(&mut shifts) {
-                search.aim()?;
-                *shift = search.shift;
-            }
-            let mut moved = searches.iter().zip(&mut *vectors);
-            let moved: [_; LANES] = std::array::from_fn(|_| {
-                let (search, x) = moved.next()?;
-                search.found.is_none().then_some(&mut x[..])
-            });
-            let Some(steps) = pencil.inverse_steps(&shifts, moved) else {
+            searches.iter_mut().try_for_each(Search::aim)?;
+            let at = limit.as_ref().map_or(searches[0].shift, |limit| limit.at);
+            let Some(steps) = steps(pencil, searches, vectors, at) else {
                 break;
             };
-            counted = counted.or(asked.map(|end| (end, steps[searches.len()].0)));
+            if let Some(limit) = &mut limit {
+                limit.count.get_or_insert(steps[searches.len()].0);
+            }
             let active = searches.iter_mut().zip(&mut *vectors).zip(steps);
             for ((search, x), step) in active.filter(|((search, _), _)| search.found.is_none()) {
                 search.take(x, step, tolerance);
@@ -196,7 +193,7 @@ impl Refinement {
         for (search, x) in searches.iter_mut().zip(vectors) {
             search.finish(pencil, x, &mut self.load, tolerance)?;
         }
-        Some(counted)
+        Some(())
     }
 
     /// Takes the eigenvalues found, if each is in an interval of its own; the last one with its r.
@@ -217,6 +214,23 @@ impl Refinement {
         }
         self.searches.last()?.found
     }
+}
+
+/// A step of each search that goes on, and counts up to `limit` in the lanes after those of the
+/// searches; none if the pencil takes one step after the other.
+fn steps(
+    pencil: &mut dyn ShiftInvert,
+    searches: &[Search],
+    vectors: &mut [Vec<f64>],
+    limit: f64,
+) -> Option<[(usize, [f64; 2]); LANES]> {
+    let shift = |lane: usize| searches.get(lane).map_or(limit, |search| search.shift);
+    let mut lanes = searches.iter().zip(vectors);
+    let moved = std::array::from_fn(|_| {
+        let (search, x) = lanes.next()?;
+        search.found.is_none().then_some(&mut x[..])
+    });
+    pencil.inverse_steps(&std::array::from_fn(shift), moved)
 }
 
 impl Search {
