@@ -65,8 +65,8 @@ fn quoted(sentence: &str) -> io::Result<Vec<u8>> {
 fn number(text: &mut Vec<u8>, number: f64) -> io::Result<()> {
     match number.abs() {
         size if size.is_nan() => Ok(()),
-        // Between 1e-5 and 1e-4 this writer has no exponent; of larger numbers the two writers may
-        // round a tie differently, and smaller ones do not occur.
+        // Between 1e-5 and 1e-4 `ryu` writes no exponent. From 1e15 the two writers may round a tie
+        // differently. Results are not below 1e-300.
         0.0 | 1e-4..1e15 | 1e-300..1e-5 => {
             text.extend(ryu::Buffer::new().format_finite(number).as_bytes());
             Ok(())

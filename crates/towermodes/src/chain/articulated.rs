@@ -20,7 +20,8 @@ use super::model::{Chain, Link};
 use crate::lanes::Lanes;
 use crate::scalar::Number;
 use crate::space::{
-    Matrix, SquareMatrix, add_scaled, levers, transform_force, transform_matrix, transform_motion,
+    Matrix, SquareMatrix, add, add_scaled, levers, transform_force, transform_matrix,
+    transform_motion,
 };
 use crate::subsystem::Coefficients;
 
@@ -111,9 +112,7 @@ pub(super) fn eliminate<const D: usize, T: Lanes>(
                 let spring = (spring, root, inverse);
                 if has_geometric {
                     let p_delta = p_delta(link, a.geometric, component);
-                    for (entry, p_delta) in column.iter_mut().zip(p_delta) {
-                        *entry += T::real(p_delta);
-                    }
+                    add(&mut column, &p_delta.map(T::real));
                     update_pressed(&mut p, component, &column, &p_delta, spring);
                 } else {
                     update(&mut p, component, &column, spring);

@@ -145,11 +145,9 @@ impl OfSubsystem {
         let known = &self.known;
         let last = wanted.checked_sub(1).map_or(0.0, |last| known[last]);
         let next = known.get(wanted).copied();
-        let from = last.max(listed_to);
-        let from = if next.is_some_and(|next| next < from) {
-            last
-        } else {
-            from
+        let from = match next {
+            Some(next) if next < listed_to => last,
+            _ => last.max(listed_to),
         };
         let gap_end = next.map_or(from * GAP_ABOVE, |next| from.sqrt() * next.sqrt());
         Sought {
